@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+
 from restitution.api.app import create_app
 from restitution.api.settings import Settings
 

@@ -54,6 +54,12 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
                 process.kill()
 
 
+@pytest.fixture(scope="session")
+def base_url(server: str) -> str:
+    """What `page.goto` adds its path to; the plugin's own fixture is one that pytest 9 warns of."""
+    return server
+
+
 def free_port() -> int:
     with socket.socket() as listener:
         listener.bind(("127.0.0.1", 0))
