@@ -83,4 +83,4 @@ $(DEVELOPMENT): $(BIN)/python requirements-dev.lock pyproject.toml
 
 $(MODULES): package-lock.json .npmrc $(DEVELOPMENT)
 	@echo "installing the JavaScript checks"
-	@$(NPM) ci --silent
+	@$(NPM) ci --loglevel=error
