@@ -1,0 +1,150 @@
+// @ts-check
+
+import { decodeArrays } from "./arrays.js";
+
+/**
+ * What this page reads of an answer of `/trace`.
+ * @typedef {object} Trace
+ * @property {Float64Array} time
+ * @property {Float64Array} normal_force
+ * @property {Float64Array} tangential_force_over_mu
+ * @property {Float64Array} tangential_velocity
+ * @property {Float64Array} switch_times
+ * @property {Episode[]} episodes
+ * @property {import("../state/parameters.js").Collision & {psi: number | null}} parameters
+ * @property {number} epsilon_t
+ * @property {number | null} switches
+ * @property {number | null} reversals
+ * @property {number} contact_duration
+ * @property {{initial: number, final: number, dissipated: number}} energy
+ * @property {string} summary
+ * @property {string} convention
+ * @property {boolean} limit
+ * @property {string} method
+ * @property {number} error_bound
+ * @property {number | null} milliseconds the server's own computing time
+ */
+
+/** @typedef {{regime: "sliding" | "sticking", start: number, end: number, direction: number}} Episode */
+
+/**
+ * @typedef {object} MapGrid
+ * @property {Float64Array} kappa
+ * @property {Float64Array} gt_over_gn
+ * @property {Float64Array[]} epsilon_t rows of constant g_t/g_n
+ * @property {Int32Array[]} switches
+ */
+
+/** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, damping: number, source: string}} Preset */
+
+/** The server could not be asked, or is too busy: asking again later may help. */
+export class Unreachable extends Error {}
+
+/** The server answered that it will not answer this: its reason is the message. */
+export class Refused extends Error {}
+
+const TRACE_COLUMNS = "time,normal_force,tangential_force_over_mu,tangential_velocity";
+const LONGEST_WAIT = 15_000;
+
+/** The only place that knows the server. */
+export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(globalThis) } = {}) {
+  /**
+   * @param {string} url
+   * @param {AbortSignal} [signal]
+   */
+  async function get(url, signal) {
+    const limit = AbortSignal.timeout(LONGEST_WAIT);
+    let response;
+    try {
+      response = await fetch(url, { signal: signal ? AbortSignal.any([signal, limit]) : limit });
+    } catch (error) {
+      throw new Unreachable("the server does not answer", { cause: error });
+    }
+    if ([502, 503, 504].includes(response.status)) {
+      throw new Unreachable("the server is busy");
+    }
+    const body = await response.json().catch(() => null);
+    if (!response.ok) {
+      throw new Refused(body?.detail ?? `the server answered ${response.status}`);
+    }
+    if (body === null) {
+      throw new Unreachable("the answer broke off");
+    }
+    return { body, milliseconds: computeTime(response.headers.get("server-timing")) };
+  }
+
+  return {
+    /**
+     * @param {import("../state/parameters.js").Collision} collision
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Trace>}
+     */
+    async trace(collision, signal) {
+      const query = new URLSearchParams({
+        ...inWords(collision),
+        samples: String(samplesFor(collision.kappa)),
+        quantities: TRACE_COLUMNS,
+        encoding: "base64",
+      });
+      const { body, milliseconds } = await get(`${base}/trace?${query}`, signal);
+      return /** @type {Trace} */ ({ ...decodeArrays(body), milliseconds });
+    },
+
+    /**
+     * @param {number} muOverAlpha
+     * @param {import("../state/map-view.js").MapView} view
+     * @param {{kappa: number, gtOverGn: number}} counts
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<MapGrid>}
+     */
+    async map(muOverAlpha, view, counts, signal) {
+      const query = new URLSearchParams({
+        mu_over_alpha: String(muOverAlpha),
+        kappa_min: String(view.kappa.min),
+        kappa_max: String(view.kappa.max),
+        kappa_count: String(counts.kappa),
+        kappa_scale: view.scale,
+        gt_over_gn_min: String(view.gtOverGn.min),
+        gt_over_gn_max: String(view.gtOverGn.max),
+        gt_over_gn_count: String(counts.gtOverGn),
+        gt_over_gn_scale: view.scale,
+        encoding: "base64",
+      });
+      const { body } = await get(`${base}/map?${query}`, signal);
+      return /** @type {MapGrid} */ (decodeArrays(body));
+    },
+
+    /** @returns {Promise<Preset[]>} */
+    async presets() {
+      return (await get(`${base}/presets`)).body.items;
+    },
+
+    /** @returns {Promise<boolean>} */
+    async isHealthy() {
+      try {
+        return (await fetch("/healthz", { signal: AbortSignal.timeout(3000) })).ok;
+      } catch {
+        return false;
+      }
+    },
+  };
+}
+
+/**
+ * Samples enough to draw the free swings of the spring, of which there are about √κ/2 in a contact.
+ * @param {number} kappa
+ */
+function samplesFor(kappa) {
+  return Math.min(2000, Math.max(300, Math.ceil(10 * Math.sqrt(kappa))));
+}
+
+/** @param {Record<string, number>} numbers */
+function inWords(numbers) {
+  return Object.fromEntries(Object.entries(numbers).map(([key, value]) => [key, String(value)]));
+}
+
+/** @param {string | null} serverTiming */
+function computeTime(serverTiming) {
+  const match = /compute;dur=([\d.eE+-]+)/.exec(serverTiming ?? "");
+  return match ? Number(match[1]) : null;
+}

@@ -1,0 +1,136 @@
+// @ts-check
+
+/**
+ * Colours for ε_t from −1 to 1, safe for the colour-blind: close to Crameri's vik (light) and berlin
+ * (dark), so that zero takes the colour of the page.
+ */
+const DIVERGING = {
+  light: [
+    "#04205f",
+    "#0d4a82",
+    "#3f86b0",
+    "#96c0d5",
+    "#f3efe8",
+    "#e3b595",
+    "#c67d50",
+    "#963c10",
+    "#5a0a05",
+  ],
+  dark: [
+    "#b4c4ff",
+    "#7bade8",
+    "#3f86b5",
+    "#1f4f6e",
+    "#191c22",
+    "#5f2d17",
+    "#a1533a",
+    "#d78a7b",
+    "#ffc3bd",
+  ],
+};
+
+/** Colours for switch counts, from none to many. */
+const COUNTING = {
+  light: [
+    "#f1ede3",
+    "#d5e5c4",
+    "#a3d4b4",
+    "#63b8b3",
+    "#3493b0",
+    "#2b6ca3",
+    "#2e4b8c",
+    "#2b2e66",
+    "#1a173c",
+  ],
+  dark: [
+    "#1f242b",
+    "#2d3162",
+    "#33528c",
+    "#2f7894",
+    "#2f9c8e",
+    "#5bbc77",
+    "#a2d25c",
+    "#e0df62",
+    "#fdf6b0",
+  ],
+};
+
+/**
+ * How much of the colours is spent at |ε_t|: its root, for most of the map lies near zero.
+ * @param {number} epsilon
+ */
+function spent(epsilon) {
+  return Math.sign(epsilon) * Math.sqrt(Math.abs(epsilon));
+}
+
+/**
+ * Stops [share, colour] over −1 … 1.
+ * @param {boolean} dark
+ * @returns {[number, string][]}
+ */
+export function restitutionStops(dark) {
+  const colors = DIVERGING[dark ? "dark" : "light"];
+  // As many stops as make the bends of the root invisible.
+  return Array.from({ length: 65 }, (_, i) => {
+    const place = i / 32 - 1;
+    const epsilon = Math.sign(place) * place * place;
+    return [(epsilon + 1) / 2, between(colors, (spent(epsilon) + 1) / 2)];
+  });
+}
+
+/**
+ * Where a value of ε_t lies along a legend of these colours drawn with even spending, 0 … 1.
+ * @param {number} epsilon
+ */
+export function restitutionPlace(epsilon) {
+  return (spent(epsilon) + 1) / 2;
+}
+
+/** @param {boolean} dark */
+export function restitutionColors(dark) {
+  return DIVERGING[dark ? "dark" : "light"];
+}
+
+/**
+ * The classes of switch counts on a map: 0, 2, 4 … up to the largest, the ninth being "and more".
+ * @param {number} most
+ * @param {boolean} dark
+ */
+export function switchClasses(most, dark) {
+  const colors = COUNTING[dark ? "dark" : "light"];
+  const count = Math.min(colors.length, Math.floor(most / 2) + 1);
+  return Array.from({ length: count }, (_, i) => ({
+    switches: 2 * i,
+    label: i === colors.length - 1 && most > 2 * i ? `≥ ${2 * i}` : String(2 * i),
+    color: between(colors, count === 1 ? 0 : i / Math.max(4, count - 1)),
+  }));
+}
+
+/**
+ * A colour scale in steps of two switches, from −1 to one more than the last class.
+ * @param {{color: string}[]} classes
+ * @returns {[number, string][]}
+ */
+export function switchStops(classes) {
+  return classes.flatMap(({ color }, i) => [
+    /** @type {[number, string]} */ ([i / classes.length, color]),
+    /** @type {[number, string]} */ ([(i + 1) / classes.length, color]),
+  ]);
+}
+
+/**
+ * @param {string[]} colors
+ * @param {number} share
+ */
+function between(colors, share) {
+  const place = share * (colors.length - 1);
+  const i = Math.min(colors.length - 2, Math.floor(place));
+  const [a, b] = [colors[i], colors[i + 1]].map(channels);
+  const mixed = a.map((value, k) => Math.round(value + (place - i) * (b[k] - value)));
+  return `#${mixed.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
+}
+
+/** @param {string} color */
+function channels(color) {
+  return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
+}

@@ -1,0 +1,114 @@
+// @ts-check
+
+import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import { regimeRibbon, ribbonWords, slidingShades } from "./regimes.js";
+import { spreadApart } from "./spread.js";
+
+/** Undamped, the normal force reaches 1.14; the axis stays where it is unless a force goes beyond. */
+const USUAL_REACH = 1.2;
+const RIBBON_PIXELS = 18;
+const NUMBER_PIXELS = 15;
+
+/**
+ * The force trace of Fig. 5: F_t/μ between ±F_n, the regimes shaded, the switches numbered.
+ * @param {import("../api/client.js").Trace} trace
+ * @param {import("./theme.js").Theme} theme
+ * @param {import("./plot-area.js").Size} size
+ * @returns {import("./plot-area.js").Figure}
+ */
+export function forceFigure(trace, theme, size) {
+  const { time, normal_force: normalForce, episodes, contact_duration: duration } = trace;
+  const reach = Math.max(USUAL_REACH, 1.05 * largest(normalForce));
+  const plotHeight = Math.max(1, size.height - TRACE_MARGIN.t - TRACE_MARGIN.b);
+  const plotWidth = Math.max(1, size.width - TRACE_MARGIN.l - TRACE_MARGIN.r);
+  // The ribbon takes its pixels above the forces, whatever the height of the plot.
+  const perPixel = (2 * reach) / Math.max(1, plotHeight - RIBBON_PIXELS);
+  const top = reach + RIBBON_PIXELS * perPixel;
+  const ribbon = (reach + top) / 2;
+  return {
+    data: [
+      ...slidingShades(episodes, -reach, reach, theme),
+      envelope(time, normalForce, theme),
+      {
+        name: "tangential force / mu",
+        type: "scatter",
+        mode: "lines",
+        x: time,
+        y: trace.tangential_force_over_mu,
+        line: { width: 2.25, color: theme.tangentialForce },
+      },
+      ...regimeRibbon(episodes, ribbon, RIBBON_PIXELS - 2, theme),
+      ribbonWords(episodes, ribbon, plotWidth / duration, theme),
+      switchNumbers(trace.switch_times, duration, ribbon, plotWidth / duration, theme),
+    ],
+    layout: {
+      ...baseLayout(theme, size, TRACE_MARGIN),
+      xaxis: timeAxis(theme, duration),
+      yaxis: {
+        ...plainAxis(theme, [-reach, top], [-1, 0, 1], ["−1", "0", "1"]),
+        zeroline: true,
+        zerolinecolor: theme.grid,
+        zerolinewidth: 1,
+      },
+    },
+  };
+}
+
+/**
+ * ±F_n as one closed line: it is zero at both ends.
+ * @param {Float64Array} time
+ * @param {Float64Array} normalForce
+ * @param {import("./theme.js").Theme} theme
+ */
+function envelope(time, normalForce, theme) {
+  const count = time.length;
+  const x = new Float64Array(2 * count);
+  const y = new Float64Array(2 * count);
+  for (let i = 0; i < count; i += 1) {
+    x[i] = time[i];
+    y[i] = normalForce[i];
+    x[2 * count - 1 - i] = time[i];
+    y[2 * count - 1 - i] = -normalForce[i];
+  }
+  return {
+    name: "plus and minus normal force",
+    type: "scatter",
+    mode: "lines",
+    x,
+    y,
+    line: { width: 1.25, color: theme.normalForce, dash: "5px,4px" },
+  };
+}
+
+/**
+ * A number in a circle at each switch, moved aside where they would cover one another; where there
+ * are too many, the shading alone tells.
+ * @param {ArrayLike<number>} times
+ * @param {number} duration
+ * @param {number} height
+ * @param {number} pixelsPerTime
+ * @param {import("./theme.js").Theme} theme
+ */
+function switchNumbers(times, duration, height, pixelsPerTime, theme) {
+  const x = spreadApart(times, NUMBER_PIXELS / pixelsPerTime, 0, duration) ?? [];
+  return {
+    name: "switches",
+    type: "scatter",
+    mode: "markers+text",
+    x,
+    y: x.map(() => height),
+    text: x.map((_, i) => String(i + 1)),
+    textfont: { size: x.length > 9 ? 9 : 10, color: theme.ink },
+    marker: {
+      size: NUMBER_PIXELS,
+      color: theme.paper,
+      line: { width: 1.25, color: theme.ink },
+    },
+    cliponaxis: false,
+  };
+}
+
+/** @param {Float64Array} values */
+function largest(values) {
+  return values.reduce((most, value) => Math.max(most, value), 0);
+}

@@ -1,0 +1,72 @@
+// @ts-check
+
+/**
+ * @typedef {{width: number, height: number}} Size in CSS pixels
+ * @typedef {import("./theme.js").Theme} Theme
+ * @typedef {{data: Record<string, any>[], layout: Record<string, any>}} Figure
+ */
+
+/** Margins are fixed, so that whoever lays something over a plot knows where its axes are. */
+export const TRACE_MARGIN = { l: 40, r: 14, t: 6, b: 34 };
+export const MAP_MARGIN = { l: 46, r: 10, t: 8, b: 42 };
+
+/**
+ * What all plots of the page have in common.
+ * @param {Theme} theme
+ * @param {Size} size
+ * @param {{l: number, r: number, t: number, b: number}} margin
+ */
+export function baseLayout(theme, { width, height }, margin) {
+  return {
+    width,
+    height,
+    margin: { ...margin, pad: 0 },
+    autosize: false,
+    showlegend: false,
+    hovermode: false,
+    dragmode: false,
+    paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)",
+    font: { family: theme.sans, size: 12, color: theme.inkSoft },
+  };
+}
+
+/**
+ * An axis with ticks outside, no frame and no grid.
+ * @param {Theme} theme
+ * @param {[number, number]} range
+ * @param {number[]} tickvals
+ * @param {string[]} ticktext
+ */
+export function plainAxis(theme, range, tickvals, ticktext) {
+  return {
+    range,
+    fixedrange: true,
+    autorange: false,
+    showgrid: false,
+    zeroline: false,
+    showline: false,
+    tickmode: "array",
+    tickvals,
+    ticktext,
+    ticks: "outside",
+    ticklen: 4,
+    tickwidth: 1,
+    tickcolor: theme.ruleStrong,
+    automargin: false,
+  };
+}
+
+/**
+ * The axis of time, the same in every view.
+ * @param {Theme} theme
+ * @param {number} contactDuration
+ */
+export function timeAxis(theme, contactDuration) {
+  const step = contactDuration > 8 ? 2 : 1;
+  const ticks = Array.from({ length: Math.floor(contactDuration / step) + 1 }, (_, i) => i * step);
+  return {
+    ...plainAxis(theme, [0, contactDuration], ticks, ticks.map(String)),
+    title: { text: "time <i>t</i>, scaled", standoff: 4, font: { size: 12 } },
+  };
+}

@@ -1,0 +1,43 @@
+// @ts-check
+
+/**
+ * The colours and the type of the page, as a figure needs them.
+ * @typedef {object} Theme
+ * @property {boolean} dark
+ * @property {string} sans
+ * @property {string} paper
+ * @property {string} ink
+ * @property {string} inkSoft
+ * @property {string} rule
+ * @property {string} ruleStrong
+ * @property {string} grid
+ * @property {string} sliding
+ * @property {string} slidingBack
+ * @property {string} sticking
+ * @property {string} onRegime text on the three colours before
+ * @property {string} slidingShade
+ * @property {string} slidingBackShade
+ * @property {string} normalForce
+ * @property {string} tangentialForce
+ * @property {string} velocity
+ */
+
+/** Which custom property of the style sheet each of them is. */
+export const THEME_PROPERTIES = {
+  sans: "--sans",
+  paper: "--paper",
+  ink: "--ink",
+  inkSoft: "--ink-soft",
+  rule: "--rule",
+  ruleStrong: "--rule-strong",
+  grid: "--grid",
+  sliding: "--sliding",
+  slidingBack: "--sliding-back",
+  sticking: "--sticking",
+  onRegime: "--on-regime",
+  slidingShade: "--sliding-shade",
+  slidingBackShade: "--sliding-back-shade",
+  normalForce: "--normal-force",
+  tangentialForce: "--tangential-force",
+  velocity: "--velocity",
+};

@@ -1,0 +1,103 @@
+// @ts-check
+
+import { brief } from "../format/number.js";
+import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import { slidingShades } from "./regimes.js";
+
+/**
+ * The tangential velocity of Fig. 6 over the contact, with its turns marked.
+ * @param {import("../api/client.js").Trace} trace
+ * @param {import("./theme.js").Theme} theme
+ * @param {import("./plot-area.js").Size} size
+ * @returns {import("./plot-area.js").Figure}
+ */
+export function velocityFigure(trace, theme, size) {
+  const { time, tangential_velocity: velocity, contact_duration: duration } = trace;
+  const reach = roundedUp(Math.abs(velocity[0]));
+  const last = time.length - 1;
+  const turns = zeroCrossings(time, velocity);
+  // Most collisions come back slowly: half of the axis below zero is enough for them.
+  const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
+  return {
+    data: [
+      ...slidingShades(trace.episodes, bottom, reach, theme),
+      {
+        name: "tangential velocity",
+        type: "scatter",
+        mode: "lines",
+        x: time,
+        y: velocity,
+        line: { width: 2.25, color: theme.velocity },
+      },
+      {
+        // Two turns between neighbouring samples are not seen here: better none than a wrong number.
+        name: "turns",
+        type: "scatter",
+        mode: "markers",
+        ...(turns.length === trace.reversals
+          ? { x: turns, y: turns.map(() => 0) }
+          : { x: [], y: [] }),
+        marker: { size: 7, color: theme.paper, line: { width: 1.75, color: theme.velocity } },
+      },
+      {
+        name: "before and after",
+        type: "scatter",
+        mode: "markers",
+        x: [time[0], time[last]],
+        y: [velocity[0], velocity[last]],
+        marker: { size: 8, color: theme.velocity },
+        cliponaxis: false,
+      },
+    ],
+    layout: {
+      ...baseLayout(theme, size, TRACE_MARGIN),
+      xaxis: timeAxis(theme, duration),
+      yaxis: {
+        ...plainAxis(
+          theme,
+          [bottom - 0.03 * reach, 1.03 * reach],
+          [-reach, -reach / 2, 0, reach / 2, reach],
+          [-reach, -reach / 2, 0, reach / 2, reach].map(brief),
+        ),
+        zeroline: true,
+        zerolinecolor: theme.grid,
+        zerolinewidth: 1,
+      },
+    },
+  };
+}
+
+/**
+ * The next of 1, 1.5, 2, 3, 4, 5, 6, 8, 10 …, so that the axis seldom moves while dragging.
+ * @param {number} value
+ */
+function roundedUp(value) {
+  if (!(value > 0)) {
+    return 1;
+  }
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((factor) => factor * decade >= value) ?? 10;
+  return Number((step * decade).toPrecision(2)) || value;
+}
+
+/**
+ * Where a sampled quantity changes its sign, read off the straight line between two samples.
+ * @param {Float64Array} time
+ * @param {Float64Array} values
+ */
+function zeroCrossings(time, values) {
+  /** @type {number[]} */
+  const crossings = [];
+  for (let i = 1; i < time.length; i += 1) {
+    if (values[i - 1] * values[i] < 0) {
+      const share = values[i - 1] / (values[i - 1] - values[i]);
+      crossings.push(time[i - 1] + share * (time[i] - time[i - 1]));
+    }
+  }
+  return crossings;
+}
+
+/** @param {Float64Array} values */
+function smallest(values) {
+  return values.reduce((least, value) => Math.min(least, value), 0);
+}

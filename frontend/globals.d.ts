@@ -1,0 +1,10 @@
+/** What this page uses of plotly.js, which the server hands out as a classic script. */
+declare const Plotly: {
+  react(
+    element: HTMLElement,
+    data: Record<string, any>[],
+    layout: Record<string, any>,
+    config: Record<string, any>,
+  ): Promise<void>;
+  purge(element: HTMLElement): void;
+};

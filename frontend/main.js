@@ -1,0 +1,212 @@
+// @ts-check
+
+import { createClient, Refused, Unreachable } from "./api/client.js";
+import { find, byTestId } from "./panels/find.js";
+import { mountMap } from "./panels/map.js";
+import { mountMessage } from "./panels/messages.js";
+import { afterNextFrame, announcePainted } from "./panels/painted.js";
+import { mountParameterControl } from "./panels/parameter-control.js";
+import { mountPresets } from "./panels/presets.js";
+import { mountResultStrip } from "./panels/result-strip.js";
+import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
+import { createAddressBar } from "./state/address-bar.js";
+import { createConnection } from "./state/connection.js";
+import { createLatest } from "./state/latest.js";
+import { mapView, sameView } from "./state/map-view.js";
+import { PARAMETERS } from "./state/parameters.js";
+import { createStore } from "./state/store.js";
+import { readAddress } from "./state/url.js";
+
+/**
+ * @typedef {import("./state/url.js").PageState} PageState
+ * @typedef {import("./state/store.js").Change} Change
+ * @typedef {import("./state/parameters.js").Collision} Collision
+ * @typedef {import("./state/map-view.js").MapView} MapView
+ * @typedef {{muOverAlpha: number, view: MapView, counts: typeof FULL_MAP}} MapWish
+ */
+
+/** Cells of the map: fewer while μ/α is dragged, for the trace goes first. */
+const FULL_MAP = { kappa: 240, gtOverGn: 180 };
+const QUICK_MAP = { kappa: 80, gtOverGn: 60 };
+
+const client = createClient();
+const { state: initialState, problems } = readAddress(location.search);
+const store = createStore(initialState);
+const addressBar = createAddressBar((state, wrong) => {
+  store.set(state, { fromAddress: true });
+  complain(wrong);
+});
+
+const banner = mountMessage(byTestId("banner"));
+const notice = mountMessage(byTestId("notice"));
+const strip = mountResultStrip(byTestId("result"));
+const force = mountForceTrace(byTestId("force-trace"));
+const velocity = mountVelocity(byTestId("velocity"));
+const map = mountMap(find(".map-panel"), {
+  onPlace: changeCollision,
+  onOption: (patch) => store.set(patch),
+});
+const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
+  const { kappa, mu_over_alpha, gt_over_gn } = preset;
+  changeCollision({ kappa, mu_over_alpha, gt_over_gn }, { inputTimeStamp });
+});
+const controls = PARAMETERS.map((parameter) => ({
+  key: parameter.key,
+  ...mountParameterControl(find(".controls"), parameter, (value, change) =>
+    changeCollision({ [parameter.key]: value }, change),
+  ),
+}));
+
+const traces = createLatest({
+  load: (/** @type {{collision: Collision, change: Change}} */ { collision }, signal) =>
+    client.trace(collision, signal),
+  onAnswer: showTrace,
+  onError: explain,
+});
+
+const maps = createLatest({
+  load: (/** @type {MapWish} */ { muOverAlpha, view, counts }, signal) =>
+    client.map(muOverAlpha, view, counts, signal),
+  onAnswer: (grid, wish) => {
+    shownMap = { grid, view: wish.view };
+    map.show({ ...shownMap, quantity: store.get().map });
+  },
+  onError: explain,
+});
+
+/** @type {{grid: import("./api/client.js").MapGrid, view: MapView} | null} */
+let shownMap = null;
+/** @type {MapWish | null} */
+let askedMap = null;
+let presetsAreHere = false;
+
+const connection = createConnection({
+  isHealthy: client.isHealthy,
+  onLost: () => banner.say("The server does not answer. The last picture stays; trying again …"),
+  onRecovered: () => {
+    banner.clear();
+    loadAll();
+  },
+});
+
+store.subscribe((state, previous, change) => {
+  notice.clear();
+  showState(state);
+  if (!change.fromAddress) {
+    addressBar.follow(state, change.dragging);
+  }
+  if (state.map !== previous.map && shownMap) {
+    map.show({ ...shownMap, quantity: state.map });
+  }
+  askForTrace(change);
+  if (!change.dragging) {
+    askForMap(FULL_MAP);
+  }
+});
+
+addressBar.correct(initialState);
+showState(initialState);
+loadAll();
+complain(problems);
+
+/**
+ * @param {Partial<Collision>} patch
+ * @param {Partial<Change>} change
+ */
+function changeCollision(patch, change) {
+  store.set({ collision: { ...store.get().collision, ...patch } }, change);
+}
+
+/** What is known without asking anyone. @param {PageState} state */
+function showState(state) {
+  for (const { key, show } of controls) {
+    show(state.collision[key]);
+  }
+  map.point(state.collision);
+  map.options(state);
+  presets.show(state.collision);
+}
+
+function loadAll() {
+  askedMap = null;
+  askForTrace({ dragging: false, inputTimeStamp: performance.now() });
+  askForMap(FULL_MAP);
+  loadPresets();
+}
+
+/** @param {Change} change */
+function askForTrace(change) {
+  if (!connection.isLost()) {
+    traces.request({ collision: store.get().collision, change });
+  }
+}
+
+/**
+ * The map depends on μ/α and its axes alone; these follow a collision beyond them when a drag is over.
+ * @param {typeof FULL_MAP} counts
+ */
+function askForMap(counts) {
+  const { collision, scale } = store.get();
+  const muOverAlpha = collision.mu_over_alpha;
+  const quick = counts === QUICK_MAP;
+  const view = quick && askedMap ? askedMap.view : mapView(collision, scale);
+  const isAsked =
+    askedMap?.muOverAlpha === muOverAlpha &&
+    sameView(askedMap.view, view) &&
+    (quick || askedMap.counts === counts);
+  if (!isAsked && !connection.isLost()) {
+    askedMap = { muOverAlpha, view, counts };
+    maps.request(askedMap);
+  }
+}
+
+async function loadPresets() {
+  if (presetsAreHere) {
+    return;
+  }
+  try {
+    presets.offer(await client.presets());
+    presetsAreHere = true;
+  } catch (error) {
+    explain(error);
+  }
+}
+
+/**
+ * The force trace and the strip first; what can wait a frame, after it.
+ * @param {import("./api/client.js").Trace} trace
+ * @param {{change: Change}} wish
+ */
+function showTrace(trace, { change }) {
+  strip.show(trace, change.dragging);
+  force.show(trace);
+  map.legend.point(trace);
+  afterNextFrame(() => {
+    announcePainted("force-trace", change.inputTimeStamp);
+    velocity.show(trace);
+    if (change.dragging) {
+      askForMap(QUICK_MAP);
+    } else {
+      force.describe(trace);
+      velocity.describe(trace);
+    }
+  });
+}
+
+/** @param {unknown} error */
+function explain(error) {
+  if (error instanceof Unreachable) {
+    connection.reportLost();
+  } else if (error instanceof Refused) {
+    notice.say(error.message);
+  } else {
+    throw error;
+  }
+}
+
+/** @param {string[]} wrong */
+function complain(wrong) {
+  if (wrong.length > 0) {
+    notice.say(`In the address, ${wrong.join("; ")}. The usual value stands in.`);
+  }
+}

@@ -1,0 +1,116 @@
+// @ts-check
+
+import { mapFigure, mostSwitches } from "../figures/map-figure.js";
+import { MAP_MARGIN } from "../figures/plot-area.js";
+import { collisionAt, placeOnMap } from "../state/map-view.js";
+import { find } from "./find.js";
+import { createMapLegend } from "./map-legend.js";
+import { createPlot } from "./plot.js";
+import { onThemeChange } from "./theme.js";
+
+/**
+ * The map with its crosshair, which is laid over the plot so that moving it draws nothing anew.
+ * @param {HTMLElement} element
+ * @param {object} handlers
+ * @param {(place: {kappa?: number, gt_over_gn?: number}, change: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onPlace
+ * @param {(patch: Record<string, string>) => void} handlers.onOption
+ */
+export function mountMap(element, { onPlace, onOption }) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, mapFigure);
+  const legend = createMapLegend(find(".map-legend", element));
+  const crosshair = find(".crosshair", element);
+  const { l, r, t, b } = MAP_MARGIN;
+  for (const [name, value] of Object.entries({ left: l, right: r, top: t, bottom: b })) {
+    crosshair.style.setProperty(name, `${value}px`);
+  }
+  /** @type {Parameters<typeof mapFigure>[0] | null} */
+  let shown = null;
+  /** @type {import("../state/parameters.js").Collision | null} */
+  let present = null;
+
+  /**
+   * @param {PointerEvent} event
+   * @param {boolean} dragging
+   */
+  function place(event, dragging) {
+    if (shown) {
+      const box = crosshair.getBoundingClientRect();
+      const x = (event.clientX - box.left) / box.width;
+      const y = (box.bottom - event.clientY) / box.height;
+      onPlace(collisionAt(shown.view, x, y), { dragging, inputTimeStamp: event.timeStamp });
+    }
+  }
+
+  crosshair.addEventListener("pointerdown", (event) => {
+    if (event.button === 0) {
+      crosshair.setPointerCapture(event.pointerId);
+      place(event, true);
+    }
+  });
+  crosshair.addEventListener("pointermove", (event) => {
+    if (crosshair.hasPointerCapture(event.pointerId)) {
+      place(event, true);
+    }
+  });
+  crosshair.addEventListener("lostpointercapture", (event) => {
+    onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+  element.addEventListener("change", (event) => {
+    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
+    onOption({ [name]: value });
+  });
+
+  function drawLegend() {
+    if (shown) {
+      legend.draw(shown.quantity, mostSwitches(shown.grid));
+    }
+  }
+  const endThemeChanges = onThemeChange(drawLegend);
+
+  function moveCrosshair() {
+    if (shown && present) {
+      const { x, y, outside } = placeOnMap(shown.view, present);
+      crosshair.style.setProperty("--x", String(x));
+      crosshair.style.setProperty("--y", String(1 - y));
+      crosshair.toggleAttribute("data-outside", outside);
+      crosshair.toggleAttribute("data-placed", true);
+    }
+  }
+
+  return {
+    /** @param {NonNullable<typeof shown>} map */
+    show(map) {
+      shown = map;
+      plot.show(map);
+      drawLegend();
+      moveCrosshair();
+      plotElement.setAttribute(
+        "aria-label",
+        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution"} over κ and g_t/g_n; the sliders of κ and g_t/g_n move the crosshair.`,
+      );
+    },
+
+    /** @param {import("../state/parameters.js").Collision} collision */
+    point(collision) {
+      present = collision;
+      moveCrosshair();
+    },
+
+    /** @param {{map: string, scale: string}} options */
+    options({ map, scale }) {
+      for (const [name, value] of Object.entries({ map, scale })) {
+        /** @type {HTMLInputElement} */ (
+          find(`[name="${name}"][value="${value}"]`, element)
+        ).checked = true;
+      }
+    },
+
+    legend,
+
+    unmount() {
+      endThemeChanges();
+      plot.destroy();
+    },
+  };
+}

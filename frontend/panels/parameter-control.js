@@ -1,0 +1,118 @@
+// @ts-check
+
+import { brief, typable } from "../format/number.js";
+import { PLAIN_SYMBOLS, SYMBOLS } from "../format/symbols.js";
+import { parseParameter, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
+import { find } from "./find.js";
+
+/**
+ * A slider, a number field and a reset for one parameter.
+ * @param {HTMLElement} parent
+ * @param {import("../state/parameters.js").Parameter} parameter
+ * @param {(value: number, change: {dragging: boolean, inputTimeStamp: number}) => void} onChange
+ */
+export function mountParameterControl(parent, parameter, onChange) {
+  const template = /** @type {HTMLTemplateElement} */ (find("#parameter-control"));
+  const fragment = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
+  const root = find(".parameter", fragment);
+  const slider = /** @type {HTMLInputElement} */ (find(".parameter-slider", root));
+  const field = /** @type {HTMLInputElement} */ (find(".parameter-field", root));
+  const reset = /** @type {HTMLButtonElement} */ (find(".parameter-reset", root));
+  const problem = find(".parameter-problem", root);
+  const hook = { kappa: "kappa", mu_over_alpha: "mu-over-alpha", gt_over_gn: "gt-over-gn" }[
+    parameter.key
+  ];
+  const plainSymbol = PLAIN_SYMBOLS[parameter.key];
+  let value = parameter.initial;
+
+  root.dataset.parameter = hook;
+  find("label", root).setAttribute("for", `${hook}-field`);
+  find(".parameter-symbol", root).innerHTML = SYMBOLS[parameter.key];
+  find(".parameter-name", root).textContent = parameter.name;
+  field.id = `${hook}-field`;
+  field.dataset.testid = `${hook}-field`;
+  problem.id = `${hook}-problem`;
+  problem.dataset.testid = `${hook}-problem`;
+  field.setAttribute("aria-describedby", problem.id);
+  slider.dataset.testid = `${hook}-slider`;
+  slider.setAttribute("aria-label", `${plainSymbol}, ${parameter.name}`);
+  slider.max = String(SLIDER_STEPS);
+  reset.dataset.testid = `${hook}-reset`;
+  reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${typable(parameter.initial)}`);
+  reset.title = `Back to ${typable(parameter.initial)}`;
+  find(".parameter-ticks", root).append(...ticks(parameter));
+
+  slider.addEventListener("input", (event) => {
+    onChange(valueAtStep(parameter, slider.valueAsNumber), {
+      dragging: true,
+      inputTimeStamp: event.timeStamp,
+    });
+  });
+  slider.addEventListener("change", (event) => {
+    onChange(value, { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+  field.addEventListener("input", (event) => {
+    const typed = parseParameter(parameter, field.value);
+    tellProblem(typed === null);
+    if (typed !== null) {
+      onChange(typed, { dragging: true, inputTimeStamp: event.timeStamp });
+    }
+  });
+  field.addEventListener("change", (event) => {
+    if (parseParameter(parameter, field.value) !== null) {
+      onChange(value, { dragging: false, inputTimeStamp: event.timeStamp });
+    }
+  });
+  field.addEventListener("blur", () => {
+    tellProblem(false);
+    field.value = typable(value);
+  });
+  field.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (direction) {
+      event.preventDefault();
+      const step = sliderStep(parameter, value) + direction * (event.shiftKey ? 10 : 1);
+      onChange(valueAtStep(parameter, Math.min(SLIDER_STEPS, Math.max(0, step))), {
+        dragging: false,
+        inputTimeStamp: event.timeStamp,
+      });
+      field.value = typable(value);
+      tellProblem(false);
+    }
+  });
+  reset.addEventListener("click", (event) => {
+    onChange(parameter.initial, { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+
+  /** @param {boolean} wrong */
+  function tellProblem(wrong) {
+    field.setAttribute("aria-invalid", String(wrong));
+    problem.textContent = wrong ? `${plainSymbol} must be ${parameter.requirement}` : "";
+  }
+
+  parent.append(root);
+  return {
+    /** @param {number} next */
+    show(next) {
+      value = next;
+      slider.valueAsNumber = sliderStep(parameter, value);
+      slider.setAttribute("aria-valuetext", typable(value));
+      reset.disabled = value === parameter.initial;
+      if (document.activeElement !== field) {
+        field.value = typable(value);
+        tellProblem(false);
+      }
+    },
+    unmount: () => root.remove(),
+  };
+}
+
+/** @param {import("../state/parameters.js").Parameter} parameter */
+function ticks(parameter) {
+  return parameter.ticks.map((tick) => {
+    const mark = document.createElement("span");
+    mark.textContent = brief(tick);
+    mark.style.setProperty("--share", String(parameter.scale.toShare(tick)));
+    return mark;
+  });
+}

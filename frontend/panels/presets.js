@@ -1,0 +1,102 @@
+// @ts-check
+
+/** @typedef {import("../api/client.js").Preset} Preset */
+
+/**
+ * The presets: the letters of Fig. 5 in a row of their own, the others as they come.
+ * @param {HTMLElement} element
+ * @param {(preset: Preset, inputTimeStamp: number) => void} onChoose
+ */
+export function mountPresets(element, onChoose) {
+  /** @type {{preset: Preset, button: HTMLButtonElement}[]} */
+  let choices = [];
+  /** @type {import("../state/parameters.js").Collision | null} */
+  let present = null;
+  const rows = document.createElement("div");
+  rows.className = "preset-rows";
+  const source = document.createElement("p");
+  source.className = "preset-source";
+  element.append(rows, source);
+
+  function mark() {
+    source.textContent = "";
+    for (const { preset, button } of choices) {
+      const chosen = present !== null && isSame(preset, present);
+      button.setAttribute("aria-pressed", String(chosen));
+      if (chosen) {
+        source.textContent = `${preset.title}: ${preset.source}`;
+      }
+    }
+  }
+
+  /** @param {Preset} preset */
+  function choice(preset) {
+    const button = document.createElement("button");
+    const letter = letterOf(preset);
+    button.type = "button";
+    button.className = letter ? "chip letter" : "chip";
+    button.dataset.preset = preset.id;
+    button.textContent = letter ?? preset.title;
+    if (letter) {
+      button.setAttribute("aria-label", preset.title);
+    }
+    button.title = preset.source;
+    button.addEventListener("click", (event) => onChoose(preset, event.timeStamp));
+    choices.push({ preset, button });
+    return button;
+  }
+
+  return {
+    /** @param {Preset[]} presets */
+    offer(presets) {
+      choices = [];
+      const lettered = presets.filter(letterOf);
+      const others = presets.filter((preset) => !letterOf(preset));
+      const letters = row("Fig. 5, a to o", lettered.map(choice));
+      letters.classList.add("letters");
+      const name = document.createElement("span");
+      name.className = "row-name";
+      name.textContent = "Fig. 5";
+      letters.prepend(name);
+      rows.replaceChildren(row("Presets", others.map(choice)), letters);
+      letters.hidden = lettered.length === 0;
+      mark();
+    },
+
+    /** @param {import("../state/parameters.js").Collision} collision */
+    show(collision) {
+      present = collision;
+      mark();
+    },
+  };
+}
+
+/**
+ * @param {string} label
+ * @param {HTMLElement[]} buttons
+ */
+function row(label, buttons) {
+  const group = document.createElement("div");
+  group.className = "chips";
+  group.setAttribute("role", "group");
+  group.setAttribute("aria-label", label);
+  group.append(...buttons);
+  return group;
+}
+
+/** @param {Preset} preset */
+function letterOf({ title }) {
+  return /^Fig\.\s*5\s*([a-o])$/.exec(title)?.[1] ?? null;
+}
+
+/**
+ * @param {Preset} preset
+ * @param {import("../state/parameters.js").Collision} collision
+ */
+function isSame(preset, collision) {
+  return (
+    preset.kappa === collision.kappa &&
+    preset.mu_over_alpha === collision.mu_over_alpha &&
+    preset.gt_over_gn === collision.gt_over_gn
+  );
+}

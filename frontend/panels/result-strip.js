@@ -1,0 +1,64 @@
+// @ts-check
+
+import { duration, errorBound, percentage, significant } from "../format/number.js";
+import { byTestId } from "./find.js";
+
+/**
+ * The strip with ε_t and what else is to be said of the collision.
+ * @param {HTMLElement} element
+ */
+export function mountResultStrip(element) {
+  const place = (/** @type {string} */ id) => byTestId(id, element);
+  const epsilon = place("epsilon-t");
+  const switches = place("switches");
+  const reversals = place("reversals");
+  const energyLost = place("energy-lost");
+  const contactDuration = place("contact-duration");
+  const psi = place("psi");
+  const summary = place("summary");
+  const provenance = place("provenance");
+  const mark = place("gauge-mark");
+
+  return {
+    /**
+     * @param {import("../api/client.js").Trace} trace
+     * @param {boolean} dragging a screen reader is told the sentence only when this is over
+     */
+    show(trace, dragging) {
+      summary.setAttribute("aria-busy", String(dragging));
+      write(epsilon, significant(trace.epsilon_t));
+      epsilon.title = trace.convention;
+      write(switches, count(trace.switches));
+      write(reversals, count(trace.reversals));
+      write(energyLost, lostShare(trace.energy));
+      write(contactDuration, significant(trace.contact_duration));
+      write(psi, significant(trace.parameters.psi ?? Infinity));
+      write(summary, trace.summary);
+      write(
+        provenance,
+        `${trace.method} ${errorBound(trace.error_bound)} · ${duration(trace.milliseconds)}`,
+      );
+      mark.style.setProperty("--place", String((trace.epsilon_t + 1) / 2));
+    },
+  };
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {string} text
+ */
+function write(element, text) {
+  if (element.textContent !== text) {
+    element.textContent = text;
+  }
+}
+
+/** @param {number | null} value */
+function count(value) {
+  return value === null ? "–" : String(value);
+}
+
+/** @param {{initial: number, dissipated: number}} energy */
+function lostShare({ initial, dissipated }) {
+  return percentage(initial > 0 ? dissipated / initial : 0);
+}

@@ -1,0 +1,59 @@
+// @ts-check
+
+import { readAddress, writeAddress } from "./url.js";
+
+/** Browsers refuse more than some twenty changes of the address a second. */
+const PAUSE = 150;
+/** Changes that follow one another faster, as of a held arrow key, are one step back. */
+const ONE_STEP = 1000;
+
+/**
+ * The address bar, which holds the whole state: a drag moves along one entry of the history and adds
+ * a single new one when it ends.
+ * @param {(state: import("./url.js").PageState, problems: string[]) => void} onReturn back or forward was pressed
+ */
+export function createAddressBar(onReturn) {
+  let settled = location.search;
+  let settledAt = -ONE_STEP;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  addEventListener("popstate", () => {
+    clearTimeout(timer);
+    settled = location.search;
+    const { state, problems } = readAddress(settled);
+    onReturn(state, problems);
+  });
+
+  return {
+    /** @param {import("./url.js").PageState} state */
+    correct(state) {
+      settled = writeAddress(state);
+      history.replaceState(null, "", settled);
+    },
+
+    /**
+     * @param {import("./url.js").PageState} state
+     * @param {boolean} dragging
+     */
+    follow(state, dragging) {
+      const address = writeAddress(state);
+      clearTimeout(timer);
+      if (dragging) {
+        timer = setTimeout(() => history.replaceState(null, "", address), PAUSE);
+        return;
+      }
+      if (address !== settled) {
+        const now = performance.now();
+        if (now - settledAt < ONE_STEP) {
+          history.replaceState(null, "", address);
+        } else {
+          history.replaceState(null, "", settled);
+          history.pushState(null, "", address);
+        }
+        settled = address;
+        settledAt = now;
+      }
+    },
+  };
+}

@@ -1,0 +1,46 @@
+// @ts-check
+
+/**
+ * Whether the server answers. Once it is reported lost it is asked again and again, more and more
+ * seldom, until it answers.
+ *
+ * @param {object} options
+ * @param {() => Promise<boolean>} options.isHealthy
+ * @param {() => void} options.onLost
+ * @param {() => void} options.onRecovered
+ * @param {number} [options.interval] in ms, the first; it grows to eight times that
+ */
+export function createConnection({ isHealthy, onLost, onRecovered, interval = 500 }) {
+  let lost = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  /** @param {number} wait */
+  function askAfter(wait) {
+    timer = setTimeout(async () => {
+      if (await isHealthy()) {
+        lost = false;
+        onRecovered();
+      } else if (lost) {
+        askAfter(Math.min(1.5 * wait, 8 * interval));
+      }
+    }, wait);
+  }
+
+  return {
+    isLost: () => lost,
+
+    reportLost() {
+      if (!lost) {
+        lost = true;
+        onLost();
+        askAfter(interval);
+      }
+    },
+
+    dispose() {
+      lost = false;
+      clearTimeout(timer);
+    },
+  };
+}

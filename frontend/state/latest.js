@@ -1,0 +1,73 @@
+// @ts-check
+
+/**
+ * A loader with one request under way, after which the newest wish comes next and all between are
+ * forgotten. What is under way is let finish, for an answer a moment old is still a picture to see
+ * while dragging; only when it takes longer than `patience` is it given up for a newer wish.
+ *
+ * @template Wish, Answer
+ * @param {object} options
+ * @param {(wish: Wish, signal: AbortSignal) => Promise<Answer>} options.load
+ * @param {(answer: Answer, wish: Wish) => void} options.onAnswer
+ * @param {(error: unknown, wish: Wish) => void} options.onError
+ * @param {number} [options.patience] in ms
+ */
+export function createLatest({ load, onAnswer, onError, patience = 2000 }) {
+  /** @type {{controller: AbortController, startedAt: number} | null} */
+  let underWay = null;
+  /** @type {{wish: Wish} | null} */
+  let next = null;
+  let disposed = false;
+
+  /** @param {Wish} wish */
+  async function start(wish) {
+    const mine = { controller: new AbortController(), startedAt: performance.now() };
+    underWay = mine;
+    try {
+      const answer = await load(wish, mine.controller.signal);
+      if (underWay === mine) {
+        onAnswer(answer, wish);
+      }
+    } catch (error) {
+      if (underWay === mine) {
+        onError(error, wish);
+      }
+    } finally {
+      if (underWay === mine) {
+        underWay = null;
+        startNext();
+      }
+    }
+  }
+
+  function startNext() {
+    if (next && !disposed) {
+      const { wish } = next;
+      next = null;
+      start(wish);
+    }
+  }
+
+  function giveUp() {
+    underWay?.controller.abort();
+    underWay = null;
+  }
+
+  return {
+    /** @param {Wish} wish */
+    request(wish) {
+      next = { wish };
+      if (underWay && performance.now() - underWay.startedAt > patience) {
+        giveUp();
+      }
+      if (!underWay) {
+        startNext();
+      }
+    },
+
+    dispose() {
+      disposed = true;
+      giveUp();
+    },
+  };
+}

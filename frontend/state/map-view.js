@@ -1,0 +1,115 @@
+// @ts-check
+
+import { logScale, powerScale } from "./scales.js";
+
+/**
+ * What is to be asked of `/map` and how its axes lie.
+ * @typedef {object} MapView
+ * @property {"linear" | "log"} scale
+ * @property {import("./scales.js").Scale} kappa
+ * @property {import("./scales.js").Scale} gtOverGn
+ */
+
+/** Where the paper's Figs. 3 and 4 are drawn, with κ as Eq. 24 has it. */
+const USUAL = {
+  linear: { kappa: [0.1, 70], gtOverGn: [0.01, 4] },
+  log: { kappa: [0.1, 1000], gtOverGn: [0.005, 5] },
+};
+
+/**
+ * The axes of the map around a collision: the usual ones, or the next of 1, 2, 5, 10 … that reach it.
+ * @param {import("./parameters.js").Collision} collision
+ * @param {"linear" | "log"} scale
+ * @returns {MapView}
+ */
+export function mapView(collision, scale) {
+  const make = scale === "log" ? logScale : linearScale;
+  const { kappa, gtOverGn } = USUAL[scale];
+  return {
+    scale,
+    kappa: make(...reaching(kappa, collision.kappa, scale)),
+    gtOverGn: make(...reaching(gtOverGn, collision.gt_over_gn, scale)),
+  };
+}
+
+/**
+ * Whether two views ask for the same axes.
+ * @param {MapView} a
+ * @param {MapView} b
+ */
+export function sameView(a, b) {
+  return (
+    a.scale === b.scale &&
+    a.kappa.min === b.kappa.min &&
+    a.kappa.max === b.kappa.max &&
+    a.gtOverGn.min === b.gtOverGn.min &&
+    a.gtOverGn.max === b.gtOverGn.max
+  );
+}
+
+/**
+ * Where a collision stands on the map, as shares from the left and from the bottom.
+ * @param {MapView} view
+ * @param {import("./parameters.js").Collision} collision
+ */
+export function placeOnMap(view, collision) {
+  return {
+    x: clamp(view.kappa.toShare(collision.kappa)),
+    y: clamp(view.gtOverGn.toShare(collision.gt_over_gn)),
+    outside: isBeyond(view.kappa, collision.kappa) || isBeyond(view.gtOverGn, collision.gt_over_gn),
+  };
+}
+
+/**
+ * The parameters at a place of the map, to four digits.
+ * @param {MapView} view
+ * @param {number} x share from the left
+ * @param {number} y share from the bottom
+ */
+export function collisionAt(view, x, y) {
+  return {
+    kappa: Number(view.kappa.fromShare(clamp(x)).toPrecision(4)),
+    gt_over_gn: Number(view.gtOverGn.fromShare(clamp(y)).toPrecision(4)),
+  };
+}
+
+/**
+ * @param {number} min
+ * @param {number} max
+ */
+function linearScale(min, max) {
+  return powerScale(min, max, 1);
+}
+
+/**
+ * @param {number[]} usual
+ * @param {number} value
+ * @param {"linear" | "log"} scale
+ * @returns {[number, number]}
+ */
+function reaching([min, max], value, scale) {
+  const high = value > max ? stepAbove(value) : max;
+  // A logarithmic axis shows no zero, and one of 300 decades shows nothing: there the cross stands at the edge.
+  const low = scale === "log" && value < min && value > 1e-12 ? 1 / stepAbove(1 / value) : min;
+  return [low, Math.min(high, 1e12)];
+}
+
+/** @param {number} value */
+function stepAbove(value) {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 2, 5, 10].find((factor) => factor * decade >= value) ?? 10;
+  return Number((step * decade).toPrecision(1));
+}
+
+/**
+ * @param {import("./scales.js").Scale} scale
+ * @param {number} value
+ */
+function isBeyond({ min, max }, value) {
+  return value < min || value > max;
+}
+
+/** @param {number} share */
+function clamp(share) {
+  return Math.min(1, Math.max(0, share));
+}

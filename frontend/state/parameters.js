@@ -1,0 +1,93 @@
+// @ts-check
+
+import { powerScale, logScale } from "./scales.js";
+
+/**
+ * A parameter of the collision, named as the API names it.
+ * @typedef {object} Parameter
+ * @property {"kappa" | "mu_over_alpha" | "gt_over_gn"} key
+ * @property {string} name in words
+ * @property {number} initial
+ * @property {(value: number) => boolean} admits
+ * @property {string} requirement what `admits` wants, in words that follow "must be"
+ * @property {import("./scales.js").Scale} scale of the slider; a value beyond its ends is still allowed
+ * @property {number[]} ticks
+ */
+
+/** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number}} Collision */
+
+/** Number of steps of a slider, one for each press of an arrow key. */
+export const SLIDER_STEPS = 1000;
+
+/** @type {Parameter[]} */
+export const PARAMETERS = [
+  {
+    key: "kappa",
+    name: "tangential stiffness",
+    initial: 63,
+    admits: (value) => value > 0,
+    requirement: "a number greater than 0",
+    scale: logScale(0.1, 1000),
+    ticks: [0.1, 1, 10, 100, 1000],
+  },
+  {
+    key: "mu_over_alpha",
+    name: "friction",
+    initial: 1.4,
+    admits: (value) => value >= 0,
+    requirement: "a number, 0 or greater",
+    scale: powerScale(0, 4, 1),
+    ticks: [0, 1, 2, 3, 4],
+  },
+  {
+    // Half of the paper's letters a … o lie below 0.5: the square root gives them half of the slider.
+    key: "gt_over_gn",
+    name: "velocity ratio",
+    initial: 1.358,
+    admits: (value) => value >= 0,
+    requirement: "a number, 0 or greater",
+    scale: powerScale(0, 4, 0.5),
+    ticks: [0, 0.1, 0.5, 1, 2, 4],
+  },
+];
+
+/** @type {Collision} */
+export const INITIAL_COLLISION = {
+  kappa: PARAMETERS[0].initial,
+  mu_over_alpha: PARAMETERS[1].initial,
+  gt_over_gn: PARAMETERS[2].initial,
+};
+
+/**
+ * The number a text stands for, or null where the parameter does not admit it.
+ * @param {Parameter} parameter
+ * @param {string} text
+ * @returns {number | null}
+ */
+export function parseParameter(parameter, text) {
+  const plain = text.trim().replace("\u2212", "-").replace(",", ".");
+  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) {
+    return null;
+  }
+  const value = Number(plain);
+  return Number.isFinite(value) && parameter.admits(value) ? value : null;
+}
+
+/**
+ * The slider's step nearest to a value.
+ * @param {Parameter} parameter
+ * @param {number} value
+ */
+export function sliderStep(parameter, value) {
+  const share = parameter.scale.toShare(value);
+  return Math.round(SLIDER_STEPS * Math.min(1, Math.max(0, share)));
+}
+
+/**
+ * The value at a slider's step, to four digits, so that it reads as it was meant.
+ * @param {Parameter} parameter
+ * @param {number} step
+ */
+export function valueAtStep(parameter, step) {
+  return Number(parameter.scale.fromShare(step / SLIDER_STEPS).toPrecision(4));
+}

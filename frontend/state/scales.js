@@ -1,0 +1,41 @@
+// @ts-check
+
+/**
+ * A range and how values are spread over it; shares run from 0 to 1 and beyond.
+ * @typedef {object} Scale
+ * @property {number} min
+ * @property {number} max
+ * @property {(value: number) => number} toShare
+ * @property {(share: number) => number} fromShare
+ */
+
+/**
+ * @param {number} min greater than 0
+ * @param {number} max
+ * @returns {Scale}
+ */
+export function logScale(min, max) {
+  const span = Math.log(max / min);
+  return {
+    min,
+    max,
+    toShare: (value) => Math.log(value / min) / span,
+    fromShare: (share) => min * Math.exp(share * span),
+  };
+}
+
+/**
+ * Shares grow as the given power of the distance from the lower end; 1 is linear.
+ * @param {number} min
+ * @param {number} max
+ * @param {number} power
+ * @returns {Scale}
+ */
+export function powerScale(min, max, power) {
+  return {
+    min,
+    max,
+    toShare: (value) => (Math.max(0, value - min) / (max - min)) ** power,
+    fromShare: (share) => min + (max - min) * Math.max(0, share) ** (1 / power),
+  };
+}

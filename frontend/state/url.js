@@ -1,0 +1,70 @@
+// @ts-check
+
+import { PLAIN_SYMBOLS } from "../format/symbols.js";
+import { PARAMETERS, parseParameter } from "./parameters.js";
+
+/** The options that are words, each with what it may be; the first is the default. */
+const WORDS = {
+  map: ["epsilon_t", "switches"],
+  scale: ["linear", "log"],
+};
+
+/**
+ * What the page shows; it stands in the address bar in full.
+ * @typedef {object} PageState
+ * @property {import("./parameters.js").Collision} collision
+ * @property {"epsilon_t" | "switches"} map the quantity the map shows
+ * @property {"linear" | "log"} scale of the map's axes
+ */
+
+/**
+ * The state an address describes; what makes no sense there becomes the default and a problem in words.
+ * @param {string} search
+ * @returns {{state: PageState, problems: string[]}}
+ */
+export function readAddress(search) {
+  const query = new URLSearchParams(search);
+  /** @type {string[]} */
+  const problems = [];
+  /** @type {Record<string, number>} */
+  const collision = {};
+  for (const parameter of PARAMETERS) {
+    const text = query.get(parameter.key);
+    const value = text === null ? null : parseParameter(parameter, text);
+    if (text !== null && value === null) {
+      problems.push(
+        `${PLAIN_SYMBOLS[parameter.key]} must be ${parameter.requirement}, not “${shortened(text)}”`,
+      );
+    }
+    collision[parameter.key] = value ?? parameter.initial;
+  }
+  /** @type {Record<string, string>} */
+  const words = {};
+  for (const [key, allowed] of Object.entries(WORDS)) {
+    const text = query.get(key);
+    if (text !== null && !allowed.includes(text)) {
+      problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
+    }
+    words[key] = text !== null && allowed.includes(text) ? text : allowed[0];
+  }
+  return { state: /** @type {PageState} */ ({ collision, ...words }), problems };
+}
+
+/**
+ * The address of a state, from its question mark on.
+ * @param {PageState} state
+ */
+export function writeAddress({ collision, map, scale }) {
+  const query = new URLSearchParams();
+  for (const { key } of PARAMETERS) {
+    query.set(key, String(collision[key]));
+  }
+  query.set("map", map);
+  query.set("scale", scale);
+  return `?${query}`;
+}
+
+/** @param {string} text */
+function shortened(text) {
+  return text.length > 24 ? `${text.slice(0, 23)}…` : text;
+}
