@@ -92,6 +92,9 @@ const connection = createConnection({
 store.subscribe((state, previous, change) => {
   notice.clear();
   showState(state);
+  if (state.map !== previous.map || state.scale !== previous.scale) {
+    map.options(state);
+  }
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
@@ -106,6 +109,7 @@ store.subscribe((state, previous, change) => {
 
 addressBar.correct(initialState);
 showState(initialState);
+map.options(initialState);
 loadAll();
 complain(problems);
 
@@ -123,7 +127,6 @@ function showState(state) {
     show(state.collision[key]);
   }
   map.point(state.collision);
-  map.options(state);
   presets.show(state.collision);
 }
 

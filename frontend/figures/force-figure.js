@@ -1,7 +1,7 @@
 // @ts-check
 
 import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
-import { regimeRibbon, ribbonWords, slidingShades } from "./regimes.js";
+import { regimeBars } from "./regimes.js";
 import { spreadApart } from "./spread.js";
 
 /** Undamped, the normal force reaches 1.14; the axis stays where it is unless a force goes beyond. */
@@ -24,10 +24,11 @@ export function forceFigure(trace, theme, size) {
   // The ribbon takes its pixels above the forces, whatever the height of the plot.
   const perPixel = (2 * reach) / Math.max(1, plotHeight - RIBBON_PIXELS);
   const top = reach + RIBBON_PIXELS * perPixel;
-  const ribbon = (reach + top) / 2;
+  const pixelsPerTime = plotWidth / duration;
+  const ribbon = { base: reach + perPixel, top: top - perPixel };
   return {
     data: [
-      ...slidingShades(episodes, -reach, reach, theme),
+      regimeBars(episodes, { base: -reach, top: reach }, ribbon, pixelsPerTime, theme),
       envelope(time, normalForce, theme),
       {
         name: "tangential force / mu",
@@ -37,9 +38,7 @@ export function forceFigure(trace, theme, size) {
         y: trace.tangential_force_over_mu,
         line: { width: 2.25, color: theme.tangentialForce },
       },
-      ...regimeRibbon(episodes, ribbon, RIBBON_PIXELS - 2, theme),
-      ribbonWords(episodes, ribbon, plotWidth / duration, theme),
-      switchNumbers(trace.switch_times, duration, ribbon, plotWidth / duration, theme),
+      switchNumbers(trace.switch_times, duration, (reach + top) / 2, pixelsPerTime, theme),
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),

@@ -8,7 +8,7 @@
 
 /** Margins are fixed, so that whoever lays something over a plot knows where its axes are. */
 export const TRACE_MARGIN = { l: 40, r: 14, t: 6, b: 34 };
-export const MAP_MARGIN = { l: 46, r: 10, t: 8, b: 42 };
+export const MAP_MARGIN = { l: 46, r: 16, t: 8, b: 42 };
 
 /**
  * What all plots of the page have in common.
@@ -25,6 +25,7 @@ export function baseLayout(theme, { width, height }, margin) {
     showlegend: false,
     hovermode: false,
     dragmode: false,
+    barmode: "overlay",
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
     font: { family: theme.sans, size: 12, color: theme.inkSoft },
@@ -54,8 +55,12 @@ export function plainAxis(theme, range, tickvals, ticktext) {
     tickwidth: 1,
     tickcolor: theme.ruleStrong,
     automargin: false,
+    ticklabeloverflow: "allow",
   };
 }
+
+/** A mark at the very end of the contact would else fall to rounding. */
+const END_INCLUDED = 1 + 1e-9;
 
 /**
  * The axis of time, the same in every view.
@@ -66,7 +71,7 @@ export function timeAxis(theme, contactDuration) {
   const step = contactDuration > 8 ? 2 : 1;
   const ticks = Array.from({ length: Math.floor(contactDuration / step) + 1 }, (_, i) => i * step);
   return {
-    ...plainAxis(theme, [0, contactDuration], ticks, ticks.map(String)),
+    ...plainAxis(theme, [0, END_INCLUDED * contactDuration], ticks, ticks.map(String)),
     title: { text: "time <i>t</i>, scaled", standoff: 4, font: { size: 12 } },
   };
 }

@@ -3,10 +3,17 @@
 /**
  * @typedef {import("../api/client.js").Episode} Episode
  * @typedef {import("./theme.js").Theme} Theme
+ * @typedef {{base: number, top: number}} Extent on the vertical axis
  */
 
-/** The three things a contact does, in the order of the legend. */
-export const REGIMES = /** @type {const} */ (["forward", "backward", "sticking"]);
+/** What is written on the ribbon where there is room, and where there is a little. */
+const WORDS = {
+  forward: { word: "slides →", sign: "→" },
+  backward: { word: "← slides", sign: "←" },
+  sticking: { word: "sticks", sign: "" },
+};
+const ROOM_FOR_WORD = 72;
+const ROOM_FOR_SIGN = 30;
 
 /** @param {Episode} episode */
 export function regimeOf({ regime, direction }) {
@@ -17,103 +24,61 @@ export function regimeOf({ regime, direction }) {
 }
 
 /**
- * Full-height shading of the two directions of sliding, each a trace of rectangles.
+ * The regimes as bars along the axis of time: each episode's shade and, above it, its piece of the
+ * ribbon that names it. One trace for all of them, for each costs a millisecond of every frame.
  * @param {Episode[]} episodes
- * @param {number} bottom
- * @param {number} top
- * @param {Theme} theme
- */
-export function slidingShades(episodes, bottom, top, theme) {
-  const colors = { forward: theme.slidingShade, backward: theme.slidingBackShade };
-  return /** @type {const} */ (["forward", "backward"]).map((direction) => ({
-    name: `sliding ${direction}`,
-    type: "scatter",
-    mode: "lines",
-    ...rectangles(
-      episodes.filter((episode) => regimeOf(episode) === direction),
-      bottom,
-      top,
-    ),
-    fill: "toself",
-    fillcolor: colors[direction],
-    line: { width: 0 },
-  }));
-}
-
-/**
- * The ribbon that names the regimes: a thick line for each of the three.
- * @param {Episode[]} episodes
- * @param {number} height where it lies on the vertical axis
- * @param {number} thickness in px
- * @param {Theme} theme
- */
-export function regimeRibbon(episodes, height, thickness, theme) {
-  const colors = { forward: theme.sliding, backward: theme.slidingBack, sticking: theme.sticking };
-  return REGIMES.map((regime) => {
-    /** @type {(number | null)[]} */
-    const x = [];
-    for (const episode of episodes) {
-      if (regimeOf(episode) === regime) {
-        x.push(episode.start, episode.end, null);
-      }
-    }
-    return {
-      name: `ribbon ${regime}`,
-      type: "scatter",
-      mode: "lines",
-      x,
-      y: x.map((time) => (time === null ? null : height)),
-      line: { width: thickness, color: colors[regime] },
-    };
-  });
-}
-
-const WORDS = {
-  forward: ["slides →", "→"],
-  backward: ["← slides", "←"],
-  sticking: ["sticks", ""],
-};
-
-/**
- * The words on the ribbon, where there is room for them.
- * @param {Episode[]} episodes
- * @param {number} height
+ * @param {Extent} shade
+ * @param {Extent | null} ribbon
  * @param {number} pixelsPerTime
  * @param {Theme} theme
  */
-export function ribbonWords(episodes, height, pixelsPerTime, theme) {
-  const placed = episodes.map((episode) => {
-    const room = (episode.end - episode.start) * pixelsPerTime;
-    const [word, sign] = WORDS[regimeOf(episode)];
-    const text = room > 72 ? word : sign;
-    return { x: (episode.start + episode.end) / 2, text: room > 30 ? text : "" };
-  });
-  const shown = placed.filter(({ text }) => text !== "");
+export function regimeBars(episodes, shade, ribbon, pixelsPerTime, theme) {
+  const shades = {
+    forward: theme.slidingShade,
+    backward: theme.slidingBackShade,
+    sticking: "rgba(0,0,0,0)",
+  };
+  const solids = {
+    forward: theme.sliding,
+    backward: theme.slidingBack,
+    sticking: theme.sticking,
+  };
+  /** @type {{extent: Extent, colors: typeof solids, text: (episode: Episode) => string}[]} */
+  const rows = [{ extent: shade, colors: shades, text: () => "" }];
+  if (ribbon) {
+    rows.push({ extent: ribbon, colors: solids, text: (episode) => words(episode, pixelsPerTime) });
+  }
+  /** @param {(episode: Episode, row: (typeof rows)[number]) => any} read */
+  const each = (read) => rows.flatMap((row) => episodes.map((episode) => read(episode, row)));
   return {
-    name: "ribbon words",
-    type: "scatter",
-    mode: "text",
-    x: shown.map(({ x }) => x),
-    y: shown.map(() => height),
-    text: shown.map(({ text }) => text),
-    textfont: { size: 11, color: theme.onRegime },
-    cliponaxis: false,
+    name: "regimes",
+    type: "bar",
+    x: each(({ start, end }) => (start + end) / 2),
+    width: each(({ start, end }) => end - start),
+    base: each((_, { extent }) => extent.base),
+    y: each((_, { extent }) => extent.top - extent.base),
+    marker: {
+      color: each((episode, { colors }) => colors[regimeOf(episode)]),
+      line: { width: 0 },
+    },
+    text: each((episode, row) => row.text(episode)),
+    textposition: "inside",
+    insidetextanchor: "middle",
+    insidetextfont: { size: 11, color: theme.onRegime },
+    textangle: 0,
+    constraintext: "none",
   };
 }
 
 /**
- * @param {Episode[]} episodes
- * @param {number} bottom
- * @param {number} top
+ * @param {Episode} episode
+ * @param {number} pixelsPerTime
  */
-function rectangles(episodes, bottom, top) {
-  /** @type {(number | null)[]} */
-  const x = [];
-  /** @type {(number | null)[]} */
-  const y = [];
-  for (const { start, end } of episodes) {
-    x.push(start, end, end, start, start, null);
-    y.push(bottom, bottom, top, top, bottom, null);
+function words(episode, pixelsPerTime) {
+  const room = (episode.end - episode.start) * pixelsPerTime;
+  const { word, sign } = WORDS[regimeOf(episode)];
+  if (room > ROOM_FOR_WORD) {
+    return word;
   }
-  return { x, y };
+  return room > ROOM_FOR_SIGN ? sign : "";
 }

@@ -2,7 +2,7 @@
 
 import { brief } from "../format/number.js";
 import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
-import { slidingShades } from "./regimes.js";
+import { regimeBars } from "./regimes.js";
 
 /**
  * The tangential velocity of Fig. 6 over the contact, with its turns marked.
@@ -20,7 +20,7 @@ export function velocityFigure(trace, theme, size) {
   const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
   return {
     data: [
-      ...slidingShades(trace.episodes, bottom, reach, theme),
+      regimeBars(trace.episodes, { base: bottom, top: reach }, null, 0, theme),
       {
         name: "tangential velocity",
         type: "scatter",

@@ -28,14 +28,15 @@ export function mountMap(element, { onPlace, onOption }) {
   let shown = null;
   /** @type {import("../state/parameters.js").Collision | null} */
   let present = null;
+  /** @type {DOMRect | null} */
+  let box = null;
 
   /**
    * @param {PointerEvent} event
    * @param {boolean} dragging
    */
   function place(event, dragging) {
-    if (shown) {
-      const box = crosshair.getBoundingClientRect();
+    if (shown && box) {
       const x = (event.clientX - box.left) / box.width;
       const y = (box.bottom - event.clientY) / box.height;
       onPlace(collisionAt(shown.view, x, y), { dragging, inputTimeStamp: event.timeStamp });
@@ -45,6 +46,8 @@ export function mountMap(element, { onPlace, onOption }) {
   crosshair.addEventListener("pointerdown", (event) => {
     if (event.button === 0) {
       crosshair.setPointerCapture(event.pointerId);
+      // Measured once a drag: it does not move under the hand, and measuring costs a layout.
+      box = crosshair.getBoundingClientRect();
       place(event, true);
     }
   });

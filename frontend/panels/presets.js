@@ -19,13 +19,19 @@ export function mountPresets(element, onChoose) {
   element.append(rows, source);
 
   function mark() {
-    source.textContent = "";
+    /** @type {Preset | null} */
+    let chosen = null;
     for (const { preset, button } of choices) {
-      const chosen = present !== null && isSame(preset, present);
-      button.setAttribute("aria-pressed", String(chosen));
-      if (chosen) {
-        source.textContent = `${preset.title}: ${preset.source}`;
+      const isChosen = present !== null && isSame(preset, present);
+      chosen = isChosen ? preset : chosen;
+      // This runs at every step of a drag, where most steps change nothing here.
+      if (button.ariaPressed !== String(isChosen)) {
+        button.ariaPressed = String(isChosen);
       }
+    }
+    const text = chosen ? `${chosen.title}: ${chosen.source}` : "";
+    if (source.textContent !== text) {
+      source.textContent = text;
     }
   }
 
@@ -36,11 +42,11 @@ export function mountPresets(element, onChoose) {
     button.type = "button";
     button.className = letter ? "chip letter" : "chip";
     button.dataset.preset = preset.id;
-    button.textContent = letter ?? preset.title;
+    button.textContent = letter ?? preset.title.split(" · ")[0];
     if (letter) {
       button.setAttribute("aria-label", preset.title);
     }
-    button.title = preset.source;
+    button.title = preset.title;
     button.addEventListener("click", (event) => onChoose(preset, event.timeStamp));
     choices.push({ preset, button });
     return button;
