@@ -1,0 +1,158 @@
+"""Refusals: one table from error to status, one shape (RFC 9457) for all of them."""
+
+import http
+import math
+from typing import Any
+
+import orjson
+from fastapi import FastAPI, Request, Response
+from fastapi.exceptions import RequestValidationError
+from starlette.exceptions import HTTPException
+
+from restitution.api.schemas import REQUIREMENTS
+from restitution.errors import CostError, ParameterError
+
+LONGEST_ECHO = 200
+"""Characters of a refused value that are sent back."""
+
+
+class RefusedParametersError(Exception):
+    """Several parameters are wrong at once; `errors` as in the answer."""
+
+    def __init__(self, errors: list[dict[str, Any]]) -> None:
+        super().__init__(f"{len(errors)} parameters")
+        self.errors = errors
+
+
+def as_received(value: object) -> object:
+    """Return a refused value in a form that JSON can hold."""
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NaN" if math.isnan(value) else ("Infinity" if value > 0 else "-Infinity")
+    if isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**53):
+        return value
+    text = value if isinstance(value, str) else repr(value)
+    return text[:LONGEST_ECHO].encode("utf-8", "replace").decode()
+
+
+def refusal(parameter: str, value: object, requirement: str) -> dict[str, Any]:
+    """Return one entry of `errors`."""
+    return {
+        "parameter": as_received(parameter),
+        "value": as_received(value),
+        "requirement": requirement,
+    }
+
+
+def problem(
+    status: int, detail: str, errors: list[dict[str, Any]] | None = None, **headers: str
+) -> Response:
+    """Return a refusal as ``application/problem+json``."""
+    body: dict[str, Any] = {
+        "type": "about:blank",
+        "title": http.HTTPStatus(status).phrase,
+        "status": status,
+        "detail": detail,
+    }
+    if errors is not None:
+        body["errors"] = errors
+    return Response(
+        orjson.dumps(body),
+        status,
+        {"Cache-Control": "no-store", **headers},
+        "application/problem+json",
+    )
+
+
+def refused(errors: list[dict[str, Any]]) -> Response:
+    """Return the answer to wrong parameters."""
+    sentences = [
+        f"{e['parameter']} must be {e['requirement']}, got "
+        f"{'nothing' if e['value'] is None else e['value']}"
+        for e in errors
+    ]
+    return problem(422, "; ".join(sentences), errors)
+
+
+def from_validation(found: list[Any]) -> list[dict[str, Any]]:
+    """Return the entries for errors found by pydantic."""
+    errors = []
+    for error in found:
+        where = [part for part in error["loc"] if part not in {"query", "body"}]
+        name = str(where[0]) if where else ""
+        value = None if error["type"] == "missing" else error["input"]
+        match error["type"]:
+            case "fixed":
+                name, value, requirement = error["msg"], None, "given, as `along` is the other one"
+            case "free":
+                name, requirement = error["msg"], "left out, as `along` names it"
+                value = error["input"].get(name)
+            case "extra_forbidden":
+                requirement = "left out: this call has no such parameter"
+            case "words":
+                requirement = f"a comma-separated choice of {error['ctx']['allowed']}"
+            case _:
+                requirement = REQUIREMENTS.get(name, "as documented")
+        errors.append(refusal(name, value, requirement))
+    return errors
+
+
+def repeated(request: Request) -> list[dict[str, Any]]:
+    """Return the entries for parameters that a query gives more than once."""
+    names = [name for name, _ in request.query_params.multi_items()]
+    return [
+        refusal(name, ", ".join(request.query_params.getlist(name)), "given once")
+        for name in dict.fromkeys(names)
+        if names.count(name) > 1
+    ]
+
+
+def refuse_repeated(request: Request) -> None:
+    """Raise if a query gives a parameter more than once."""
+    if errors := repeated(request):
+        raise RefusedParametersError(errors)
+
+
+def _validation(request: Request, error: Exception) -> Response:
+    assert isinstance(error, RequestValidationError)
+    return refused(from_validation(list(error.errors())) + repeated(request))
+
+
+def _parameters(_: Request, error: Exception) -> Response:
+    assert isinstance(error, RefusedParametersError)
+    return refused(error.errors)
+
+
+def _parameter(_: Request, error: Exception) -> Response:
+    assert isinstance(error, ParameterError)
+    return refused([refusal(error.parameter, error.value, error.requirement)])
+
+
+def _cost(_: Request, error: Exception) -> Response:
+    return problem(413, str(error))
+
+
+def _http(_: Request, error: Exception) -> Response:
+    assert isinstance(error, HTTPException)
+    return problem(error.status_code, str(error.detail), None, **(error.headers or {}))
+
+
+def _defect(_: Request, __: Exception) -> Response:
+    return problem(500, "a defect of this program; the log of the server has the details")
+
+
+HANDLERS = {
+    RequestValidationError: _validation,
+    RefusedParametersError: _parameters,
+    ParameterError: _parameter,
+    CostError: _cost,
+    HTTPException: _http,
+    Exception: _defect,
+}
+
+
+def install(app: FastAPI) -> None:
+    """Let `app` answer every error as a problem."""
+    for error, handler in HANDLERS.items():
+        app.add_exception_handler(error, handler)

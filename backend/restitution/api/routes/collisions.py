@@ -1,0 +1,202 @@
+"""Collisions: one, its trace, along a cut, over a map, many at once."""
+
+import time
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import APIRouter, Depends, Query, Request, Response
+from pydantic import ValidationError
+from starlette.concurrency import run_in_threadpool
+from starlette.exceptions import HTTPException
+
+from restitution.api.arrays import MOST_ITEMS, number_array, read_json
+from restitution.api.errors import (
+    RefusedParametersError,
+    from_validation,
+    refusal,
+    refuse_repeated,
+)
+from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.schemas import (
+    REQUIREMENTS,
+    CollisionQuery,
+    CollisionsBody,
+    CutQuery,
+    Formed,
+    FormQuery,
+    MapQuery,
+    TraceQuery,
+)
+from restitution.errors import CostError
+from restitution.studies.batch import BatchStudy, study_batch
+from restitution.studies.collision import CollisionStudy, study_collision
+from restitution.studies.cut import study_cut
+from restitution.studies.grid import study_grid
+from restitution.studies.trace import study_trace
+
+router = APIRouter(prefix="/api/v1", tags=["collisions"], dependencies=[Depends(refuse_repeated)])
+
+
+def _understood(query: Formed, **more: Any) -> Payload:
+    """Return the parameters as understood."""
+    return query.model_dump(exclude={"format", "encoding", "quantities", "episode_limit"}) | more
+
+
+def _collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
+    psi = query.parameters.psi
+    parameters = _understood(query, psi=psi if np.isfinite(psi) else None)
+    return vars(study) | {"parameters": parameters}
+
+
+def _batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+    return {
+        **{name: column.reshape(shape) for name, column in batch.columns.items()},
+        "method": batch.one_method,
+        "error_bound": float(batch.error_bound.max()),
+        "tolerance_met": bool(batch.tolerance_met.all()),
+    }
+
+
+@router.get("/collision")
+def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Response:
+    """Return what comes out of one collision and how it goes."""
+
+    def compute() -> Result:
+        study = study_collision(query.parameters, query.options, query.wanted, query.episode_limit)
+        payload = _collision_payload(query, study)
+        return Result(payload, lambda: {n: [v] for n, v in flattened(payload).items()})
+
+    return respond(request, query, compute)
+
+
+@router.get("/trace")
+def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
+    """Return forces, velocities and the spring over time."""
+
+    def compute() -> Result:
+        study = study_trace(
+            query.parameters, query.options, query.samples, query.wanted, query.episode_limit
+        )
+        payload = _collision_payload(query, study.collision)
+        payload |= {**study.columns, "switch_times": study.switch_times}
+        return Result(payload, lambda: study.columns)
+
+    return respond(request, query, compute)
+
+
+@router.get("/cut")
+def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
+    """Return ε_t, switches or simple laws along one parameter."""
+
+    def compute() -> Result:
+        study = study_cut(
+            query.axis,
+            query.mu_over_alpha,
+            kappa=query.kappa,
+            gt_over_gn=query.gt_over_gn,
+            quantities=query.wanted,
+            options=query.options,
+        )
+        payload = {
+            "along": study.along,
+            "values": study.values,
+            **_batch_payload(study.batch, study.values.shape),
+        }
+        return Result(payload, lambda: {study.along: study.values, **study.batch.columns})
+
+    return respond(request, query, compute)
+
+
+@router.get("/map")
+def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
+    """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
+    kappa, tangential = query.axes
+    if kappa.count * tangential.count > MOST_ITEMS:
+        raise CostError(
+            f"a map of {kappa.count:,} × {tangential.count:,} points has more than "
+            f"{MOST_ITEMS:,}, the limit"
+        )
+
+    def compute() -> Result:
+        study = study_grid(kappa, tangential, query.mu_over_alpha, query.wanted, query.options)
+        shape = study.gt_over_gn.size, study.kappa.size
+        payload = {
+            "kappa": study.kappa,
+            "gt_over_gn": study.gt_over_gn,
+            **_batch_payload(study.batch, shape),
+        }
+        return Result(
+            payload,
+            lambda: {
+                "kappa": np.tile(study.kappa, shape[0]),
+                "gt_over_gn": np.repeat(study.gt_over_gn, shape[1]),
+                **study.batch.columns,
+            },
+        )
+
+    return respond(request, query, compute)
+
+
+@router.post("/collisions")
+async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
+    """Return ε_t and switches of many collisions, in the order of the parameters."""
+    body = await read_json(request)
+    begin = time.perf_counter()
+    result = await run_in_threadpool(_collide_many, body)
+    elapsed = 1e3 * (time.perf_counter() - begin)
+    return await run_in_threadpool(
+        formed,
+        result,
+        form.format,
+        form.encoding,
+        {"Server-Timing": f"compute;dur={elapsed:.3f}", "Cache-Control": "no-store"},
+    )
+
+
+def _collide_many(body: dict[str, Any]) -> Result:
+    names = ("kappa", "mu_over_alpha", "gt_over_gn", "damping")
+    arrays, errors = {}, []
+    for name in names:
+        value = body.get(name, 0.0 if name == "damping" else None)
+        arrays[name], wrong = number_array(
+            name, value, REQUIREMENTS[name], positive=name == "kappa"
+        )
+        errors += wrong
+    try:
+        options = CollisionsBody.model_validate(
+            {key: value for key, value in body.items() if key not in names}
+        )
+    except ValidationError as error:
+        errors += from_validation(error.errors())
+    errors += [
+        refusal("damping", value, REQUIREMENTS["damping"])
+        for value in np.unique(arrays["damping"])[:1]
+        if np.any(arrays["damping"] > 0)
+    ]
+    lengths = {name: len(body[name]) for name in names if isinstance(body.get(name), list)}
+    lengths |= {name: a.size for name, a in arrays.items() if a.ndim and a.size}
+    if len(set(lengths.values())) > 1:
+        errors += [
+            refusal(name, f"{length} elements", "of one length with the other lists")
+            for name, length in lengths.items()
+        ]
+    if errors:
+        raise RefusedParametersError(errors)
+    if max(lengths.values(), default=1) > MOST_ITEMS:
+        raise HTTPException(413, f"more than {MOST_ITEMS:,} collisions in one request")
+    batch = study_batch(
+        arrays["kappa"],
+        arrays["mu_over_alpha"],
+        arrays["gt_over_gn"],
+        options.quantities,
+        options.options,
+    )
+    payload: Payload = {
+        **{name: batch.columns[name] for name in ("epsilon_t",) if name in batch.columns},
+        **({"epsilon_n": np.ones(batch.method.size)} if "epsilon_n" in options.quantities else {}),
+        **{name: batch.columns[name] for name in ("switches",) if name in batch.columns},
+        "method": batch.method,
+        "error_bound": batch.error_bound,
+        "tolerance_met": batch.tolerance_met.tolist(),
+    }
+    return Result(payload, lambda: payload)

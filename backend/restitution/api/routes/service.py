@@ -1,0 +1,30 @@
+"""What the page and a supervisor ask: presets, health, readiness."""
+
+from typing import Any
+
+from fastapi import APIRouter, Request, Response
+
+from restitution.api.errors import problem
+from restitution.studies.presets import PRESETS, Preset
+
+router = APIRouter()
+
+
+@router.get("/api/v1/presets", tags=["presets"])
+def presets() -> dict[str, list[Preset]]:
+    """Return collisions worth a look."""
+    return {"items": list(PRESETS)}
+
+
+@router.get("/healthz", tags=["service"])
+def healthz() -> dict[str, str]:
+    """Return that the process answers."""
+    return {"status": "ok"}
+
+
+@router.get("/readyz", tags=["service"], response_model=None)
+def readyz(request: Request) -> dict[str, Any] | Response:
+    """Return that the kernels are compiled."""
+    if request.app.state.ready.is_set():
+        return {"status": "ready"}
+    return problem(503, "the kernels are being compiled", None, **{"Retry-After": "5"})

@@ -1,0 +1,236 @@
+"""What a request may say: names, ranges, and the words in which a refusal states them."""
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from restitution.methods.answer import Options
+from restitution.methods.planner import METHODS
+from restitution.studies import batch, collision, trace
+from restitution.studies.axis import Axis
+from restitution.studies.parameters import CollisionParameters
+
+Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff"]
+Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
+Scale = Literal["linear", "log"]
+
+REQUIREMENTS: dict[str, str] = {}
+"""Parameter → what holds for allowed values, filled by `stated`."""
+
+
+def stated(name: str, requirement: str, meaning: str = "", **bounds: Any) -> Any:
+    """Return a pydantic field whose description and refusals say the same."""
+    REQUIREMENTS[name] = requirement
+    return Field(description=f"{meaning}: {requirement}" if meaning else requirement, **bounds)
+
+
+def _words(allowed: tuple[str, ...]) -> AfterValidator:
+    """Return a validator of a comma-separated choice of `allowed`."""
+
+    def check(text: str) -> str:
+        if not set(text.split(",")) <= set(allowed):
+            raise PydanticCustomError("words", "not a choice", {"allowed": ", ".join(allowed)})
+        return text
+
+    return AfterValidator(check)
+
+
+def _choice(allowed: tuple[str, ...]) -> str:
+    return f"a comma-separated choice of {', '.join(allowed)}"
+
+
+Finite = Annotated[float, Field(allow_inf_nan=False)]
+Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with α in it", gt=0)]
+MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
+GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]
+
+
+class Request(BaseModel):
+    """What every computing request takes."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    damping: Annotated[
+        Finite,
+        stated("damping", "0: there is no viscous damping yet", "η = (3/2) A β^{2/5} g_n^{1/5}"),
+        Field(ge=0, le=0),
+    ] = 0.0
+    tolerance: Annotated[
+        Finite,
+        stated("tolerance", "from 1e-13 to 1", "largest absolute error wanted in ε_t"),
+        Field(ge=1e-13, le=1),
+    ] = 1e-10
+    method: Annotated[Method, stated("method", f"one of auto, {', '.join(METHODS)}")] = "auto"
+    steps: Annotated[
+        int,
+        stated("steps", "an integer from 4 to 1,000,000", "steps per contact of `timestep`"),
+        Field(ge=4, le=1_000_000),
+    ] = 50
+    integrator: Annotated[
+        Integrator,
+        stated("integrator", "one of velocity_verlet, symplectic_euler, forward_euler"),
+    ] = "velocity_verlet"
+    phase: Annotated[
+        Finite,
+        stated("phase", "from 0 to 1", "where in a step of `timestep` the contact begins"),
+        Field(ge=0, le=1),
+    ] = 0.0
+    rtol: Annotated[
+        Finite,
+        stated("rtol", "from 1e-13 to 0.1", "relative tolerance of `ode`"),
+        Field(ge=1e-13, le=0.1),
+    ] = 1e-9
+    floor: Annotated[
+        Finite, stated("floor", "from -1 to 1", "ε₀ of `pragmatic`"), Field(ge=-1, le=1)
+    ] = 0.0
+
+    @property
+    def options(self) -> Options:
+        """What the methods take of it."""
+        return Options(self.method, self.tolerance, self.floor)
+
+
+class FormQuery(BaseModel):
+    """The form of an answer."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    format: Annotated[Literal["json", "csv", "npz"], stated("format", "one of json, csv, npz")] = (
+        "json"
+    )
+    encoding: Annotated[
+        Literal["plain", "base64"],
+        stated("encoding", "base64, or plain for lists", "form of arrays in JSON"),
+    ] = "plain"
+
+
+class Formed(Request, FormQuery):
+    """A request by query, whose answer has a form."""
+
+    quantities: str = ""
+
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """The quantities asked for."""
+        return tuple(self.quantities.split(","))
+
+
+class CollisionQuery(Formed):
+    """``GET /collision``."""
+
+    kappa: Kappa
+    mu_over_alpha: MuOverAlpha
+    gt_over_gn: GtOverGn
+    episode_limit: Annotated[
+        int, stated("episode_limit", "an integer from 0 to 10,000"), Field(ge=0, le=10_000)
+    ] = 200
+    quantities: Annotated[
+        str, _words(collision.QUANTITIES), Field(description=_choice(collision.QUANTITIES))
+    ] = ",".join(collision.QUANTITIES)
+
+    @property
+    def parameters(self) -> CollisionParameters:
+        """The collision itself."""
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+
+
+class TraceQuery(CollisionQuery):
+    """``GET /trace``."""
+
+    samples: Annotated[
+        int, stated("samples", "an integer from 2 to 20,000"), Field(ge=2, le=20_000)
+    ] = 400
+    quantities: Annotated[str, _words(trace.COLUMNS), Field(description=_choice(trace.COLUMNS))] = (
+        ",".join(trace.COLUMNS)
+    )
+
+
+BatchQuantities = Annotated[
+    str, _words(batch.QUANTITIES), Field(description=_choice(batch.QUANTITIES))
+]
+
+
+class CutQuery(Formed):
+    """``GET /cut``."""
+
+    along: Annotated[Literal["gt_over_gn", "kappa"], stated("along", "gt_over_gn or kappa")]
+    mu_over_alpha: MuOverAlpha
+    kappa: Kappa | None = None
+    gt_over_gn: GtOverGn | None = None
+    minimum: Annotated[Finite, stated("minimum", "finite and ≥ 0"), Field(ge=0)] | None = None
+    maximum: Annotated[Finite, stated("maximum", "finite and > 0"), Field(gt=0)] | None = None
+    count: Annotated[
+        int, stated("count", "an integer from 2 to 100,000"), Field(ge=2, le=100_000)
+    ] = 400
+    scale: Annotated[Scale, stated("scale", "linear or log")] = "linear"
+    quantities: BatchQuantities = "epsilon_t,switches"
+
+    @model_validator(mode="after")
+    def _one_is_free(self) -> Self:
+        given = {"kappa": self.kappa, "gt_over_gn": self.gt_over_gn}
+        if given.pop(self.along) is not None:
+            raise PydanticCustomError("free", self.along)
+        for name, value in given.items():
+            if value is None:
+                raise PydanticCustomError("fixed", name)
+        return self
+
+    @property
+    def axis(self) -> Axis:
+        """The values along the cut."""
+        low, high = (0.01, 4.0) if self.along == "gt_over_gn" else (0.1, 70.0)
+        return Axis(
+            low if self.minimum is None else self.minimum,
+            high if self.maximum is None else self.maximum,
+            self.count,
+            self.scale,
+        )
+
+
+def _edge(name: str, requirement: str) -> Any:
+    return stated(name, requirement, f"{name.rsplit('_', 1)[0]} at an edge of the map")
+
+
+class MapQuery(Formed):
+    """``GET /map``."""
+
+    mu_over_alpha: MuOverAlpha
+    kappa_min: Annotated[Finite, _edge("kappa_min", "finite and > 0"), Field(gt=0)] = 0.1
+    kappa_max: Annotated[Finite, _edge("kappa_max", "finite and > 0"), Field(gt=0)] = 70.0
+    kappa_count: Annotated[int, stated("kappa_count", "an integer ≥ 2"), Field(ge=2)] = 200
+    kappa_scale: Annotated[Scale, stated("kappa_scale", "linear or log")] = "linear"
+    gt_over_gn_min: Annotated[Finite, _edge("gt_over_gn_min", "finite and ≥ 0"), Field(ge=0)] = 0.01
+    gt_over_gn_max: Annotated[Finite, _edge("gt_over_gn_max", "finite and > 0"), Field(gt=0)] = 4.0
+    gt_over_gn_count: Annotated[int, stated("gt_over_gn_count", "an integer ≥ 2"), Field(ge=2)] = (
+        150
+    )
+    gt_over_gn_scale: Annotated[Scale, stated("gt_over_gn_scale", "linear or log")] = "linear"
+    quantities: BatchQuantities = "epsilon_t,switches"
+
+    @property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The edges: κ and g_t/g_n."""
+        ends = ("min", "max")
+        return (
+            Axis(
+                self.kappa_min, self.kappa_max, self.kappa_count, self.kappa_scale, "kappa_", ends
+            ),
+            Axis(
+                self.gt_over_gn_min,
+                self.gt_over_gn_max,
+                self.gt_over_gn_count,
+                self.gt_over_gn_scale,
+                "gt_over_gn_",
+                ends,
+            ),
+        )
+
+
+class CollisionsBody(Request):
+    """``POST /collisions``, the scalar part; the parameters are arrays, see `arrays`."""
+
+    quantities: Annotated[
+        list[Literal["epsilon_t", "epsilon_n", "switches"]],
+        Field(min_length=1, description="a list of epsilon_t, epsilon_n, switches"),
+    ] = ["epsilon_t", "epsilon_n", "switches"]

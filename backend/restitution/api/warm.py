@@ -1,0 +1,12 @@
+"""Compile or load the kernels before the first request needs them."""
+
+from restitution.methods.answer import Options
+from restitution.studies.batch import QUANTITIES, study_batch
+from restitution.studies.parameters import CollisionParameters
+from restitution.studies.trace import study_trace
+
+
+def warm() -> None:
+    """Run one collision through every kernel."""
+    study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
+    study_batch(18.0, 1.4, 0.4, QUANTITIES, Options("stiff"))

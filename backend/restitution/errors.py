@@ -1,0 +1,45 @@
+"""The deliberate errors: what was wrong, with which value, what is allowed."""
+
+import numpy as np
+import numpy.typing as npt
+
+
+class RestitutionError(Exception):
+    """Base of every error that this package raises on purpose."""
+
+
+class ParameterError(RestitutionError, ValueError):
+    """A parameter outside its range.
+
+    Parameters
+    ----------
+    parameter : str
+        Name as the caller knows it, an element of an array as ``kappa[17]``.
+    value : object
+        As received.
+    requirement : str
+        What holds for allowed values, to stand after "must be".
+    """
+
+    def __init__(self, parameter: str, value: object, requirement: str) -> None:
+        super().__init__(f"{parameter} must be {requirement}, got {value!r}")
+        self.parameter = parameter
+        self.value = value
+        self.requirement = requirement
+
+
+class CostError(RestitutionError):
+    """A request that would cost more than its budget, refused before any work."""
+
+
+def require(
+    parameter: str,
+    values: npt.NDArray[np.float64],
+    allowed: npt.NDArray[np.bool_] | np.bool_,
+    requirement: str,
+) -> None:
+    """Raise `ParameterError` for the first of `values` (any shape) that is not `allowed`."""
+    if not np.all(allowed):
+        index = np.unravel_index(int(np.argmin(allowed)), values.shape)
+        name = f"{parameter}[{','.join(map(str, index))}]" if index else parameter
+        raise ParameterError(name, float(values[index]), requirement)

@@ -1,0 +1,1 @@
+"""Laws and motion of the contact; nothing but numpy, scipy and numba."""

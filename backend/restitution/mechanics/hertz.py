@@ -1,0 +1,119 @@
+"""The undamped Hertz contact: one universal curve of compression against time.
+
+Lengths, times and velocities are scaled by ξ_scale = g_n^{4/5} β^{-2/5}, t_scale = β^{-2/5}
+g_n^{-1/5} and g_n (Eq. 21), so that ẍ + x^{3/2} = 0 with x(0) = 0, ẋ(0) = 1 (Eqs. 22, 23).
+
+The curve is mirror symmetric about half the contact. Both halves are written in q = √t, t being
+the time since the start or the time left: √x/q and (1 − |ẋ|)/q⁵ are analytic in q⁵, and neither
+end of the contact loses a digit. 1 − |ẋ| is computed as it stands, never as a difference.
+"""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.mechanics.compiled import compiled
+
+FloatArray = npt.NDArray[np.float64]
+
+CONTACT_DURATION = 3.2180654597190430846
+"""t_c = (4/5)^{3/5} B(2/5, 1/2), scaled by t_scale; Eq. 20 with its number C."""
+
+HALF_CONTACT = 0.5 * CONTACT_DURATION
+HALF_CONTACT_ROOT = 1.2684765389472213421
+"""q = √(t_c/2), where the compression is largest."""
+
+MAXIMUM_COMPRESSION = 1.25**0.4
+"""x_max = (5/4)^{2/5}, Eq. 19."""
+
+MAXIMUM_FORCE = 1.25**0.6
+"""x_max^{3/2} = (5/4)^{3/5}."""
+
+
+@compiled
+def normal_motion(q: float) -> tuple[float, float]:
+    """Return √x and 1 − |ẋ| at the time q² from the nearer end of the contact.
+
+    Parameters
+    ----------
+    q : float
+        0 … `HALF_CONTACT_ROOT`, the square root of a time scaled by t_scale.
+
+    Returns
+    -------
+    root_compression : float
+        √x, to 2e-16 of its value.
+    rate_loss : float
+        1 − |ẋ|, to 3e-16 of its value.
+
+    Notes
+    -----
+    Polynomials in q⁵ that interpolate the inverse of t = (4/5)^{3/5} ∫₀^θ sin^{-1/5}, with
+    ẋ = cos θ and (4/5) x^{5/2} = sin²θ; `tests/mechanics/test_hertz.py` holds them against it.
+    """
+    square = q * q
+    w = square * square * q
+    root = -1.4416762309797249e-16
+    root = root * w - 1.8313775130300532e-16
+    root = root * w - 3.110569262038695e-14
+    root = root * w - 4.4815179580112504e-13
+    root = root * w - 1.6811404691834909e-11
+    root = root * w - 5.0184635673411853e-11
+    root = root * w - 1.9480936793763718e-8
+    root = root * w + 4.5480161360354913e-7
+    root = root * w - 3.5671411430952919e-5
+    root = root * w + 1.2244897959200016e-3
+    root = root * w - 0.057142857142857256
+    root = root * w + 1.0
+    loss = 4.7184512079495274e-16
+    loss = loss * w - 2.8549616602694804e-14
+    loss = loss * w + 1.2708679503167523e-12
+    loss = loss * w - 5.1678259373177779e-11
+    loss = loss * w + 1.9973472286977422e-9
+    loss = loss * w - 7.2194652275212761e-8
+    loss = loss * w + 2.4070184413396054e-6
+    loss = loss * w - 7.1342822833340959e-5
+    loss = loss * w + 1.7959183673448226e-3
+    loss = loss * w - 0.034285714285714112
+    loss = loss * w + 0.4
+    return q * root, w * loss
+
+
+@compiled
+def _normal_curves(time: FloatArray, curves: FloatArray) -> None:
+    """Fill the rows x, ẋ, x^{3/2} of `curves` (3, N) at the times `time` (N,)."""
+    for i in range(time.size):
+        rising = time[i] <= HALF_CONTACT
+        root, loss = normal_motion(math.sqrt(time[i] if rising else CONTACT_DURATION - time[i]))
+        curves[0, i] = root * root
+        curves[1, i] = 1.0 - loss if rising else loss - 1.0
+        curves[2, i] = root * root * root
+
+
+def normal_curves(time: npt.ArrayLike) -> FloatArray:
+    """Return compression, its rate and the normal force during a contact.
+
+    Parameters
+    ----------
+    time : array_like, shape (...)
+        Time since the first touch, scaled by t_scale; 0 … `CONTACT_DURATION`.
+
+    Returns
+    -------
+    ndarray, shape (3, ...)
+        x, ẋ and x^{3/2}, scaled by ξ_scale, g_n and m_eff ξ_scale / t_scale².
+
+    Examples
+    --------
+    >>> x, rate, force = normal_curves(HALF_CONTACT)
+    >>> bool(abs(x - MAXIMUM_COMPRESSION) < 1e-15), bool(abs(rate) < 1e-15)
+    (True, True)
+    """
+    moments = np.asarray(time, dtype=np.float64)
+    flat = np.ascontiguousarray(moments.ravel())
+    if not np.all((flat >= 0) & (flat <= CONTACT_DURATION)):
+        raise AssertionError("a contact lasts from 0 to CONTACT_DURATION")
+    curves = np.empty((3, flat.size))
+    _normal_curves(flat, curves)
+    return curves.reshape(3, *moments.shape)

@@ -1,0 +1,111 @@
+"""Closed forms: Coulomb's law, the weak, the soft and the stiff limit, and where they hold.
+
+Every function broadcasts. κ is that of Eq. 24, with α in it; ψ = (α/μ)(g_t/g_n).
+"""
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.mechanics.collision import stiff_bound as _stiff_bound
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
+from restitution.mechanics.switching import MONOTONE_STIFFNESS, slip_extremum, slip_reach
+
+STIFF_ASYMPTOTE = 4.4848
+"""lim max |ε_t| ψ κ^{5/4} for κ → ∞, ψ < 2; measured in docs/model.md."""
+
+GEAR_WHEEL_STIFFNESS = (np.pi / CONTACT_DURATION) ** 2
+"""Smallest κ with ε_t = −1 for ψ → 0: half a swing of the spring lasts as long as the contact."""
+
+
+def sliding_restitution(psi: npt.ArrayLike, epsilon_n: npt.ArrayLike = 1.0) -> FloatArray:
+    """Return ε_t of a contact that slides throughout, 1 − (1 + ε_n)/ψ (Eq. 15)."""
+    with np.errstate(over="ignore"):
+        return np.asarray(1.0 - (1.0 + np.asarray(epsilon_n)) / np.asarray(psi, dtype=float))
+
+
+def coulomb_restitution(
+    psi: npt.ArrayLike, epsilon_n: npt.ArrayLike = 1.0, floor: float = 0.0
+) -> FloatArray:
+    """Return Coulomb's law cut off at `floor`.
+
+    0 gives Eq. 16; another ε₀ in [−1, 1] the pragmatic model of event-driven codes, for which the
+    paper argues ε₀ = 0.
+    """
+    return np.asarray(np.maximum(floor, sliding_restitution(psi, epsilon_n)))
+
+
+@compiled
+def _sliding_thresholds(kappa: FloatArray, threshold: FloatArray) -> None:
+    for i in range(kappa.size):
+        threshold[i] = 2.0
+        if kappa[i] < MONOTONE_STIFFNESS:
+            reach = slip_reach(kappa[i], slip_extremum(kappa[i]))
+            threshold[i] = max(2.0, reach / kappa[i])
+
+
+def sliding_threshold(kappa: npt.ArrayLike) -> FloatArray:
+    """Return ψ*(κ), from which on the contact slides throughout and Eq. 15 is exact.
+
+    2 for κ ≥ 0.570102; below, the largest 1 − ẋ + (3/2κ)√x ẋ of the compression, which tends to
+    1.0318/κ for κ → 0 (infinite where that overflows). The paper's vertical line in Fig. 4.
+    """
+    kappas = np.asarray(kappa, dtype=float)
+    threshold = np.empty(kappas.size)
+    _sliding_thresholds(np.ravel(kappas), threshold)
+    return threshold.reshape(kappas.shape)
+
+
+def weak_limit(kappa: npt.ArrayLike) -> FloatArray:
+    """Return lim ε_t for ψ → 0, cos(√κ t_c): the spring swings freely.
+
+    The correction is of order (ψκ^{5/4})^{2/3}.
+    """
+    return np.asarray(np.cos(np.sqrt(np.asarray(kappa, dtype=float)) * CONTACT_DURATION))
+
+
+def soft_limit(kappa: npt.ArrayLike) -> FloatArray:
+    """Return ε_t to first order in κ for κ → 0, κψ ≪ 1: 1 − κ t_c²/2."""
+    return np.asarray(1.0 - 0.5 * CONTACT_DURATION**2 * np.asarray(kappa, dtype=float))
+
+
+@compiled
+def _stiff_bounds(kappa: FloatArray, psi: FloatArray, bound: FloatArray) -> None:
+    for i in range(kappa.size):
+        bound[i] = _stiff_bound(kappa[i], psi[i]) if psi[i] < 2.0 else np.nan
+
+
+def stiff_bound(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
+    """Return min(1, (5/4)^{3/5}/(ψ√κ)) ≥ |ε_t|; NaN for ψ ≥ 2, about which it says nothing.
+
+    Notes
+    -----
+    Once the surfaces have stopped, the energy is at most that of the spring at the largest cap
+    (Eq. 25). The paper's Eq. 27 has 1 for (5/4)^{3/5} = x_max^{3/2} and is exceeded by 12 %.
+    """
+    kappas, psis = np.broadcast_arrays(np.asarray(kappa, dtype=float), np.asarray(psi, dtype=float))
+    bound = np.empty(kappas.size)
+    _stiff_bounds(np.ravel(kappas), np.ravel(psis), bound)
+    return bound.reshape(kappas.shape)
+
+
+def stiff_estimate(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
+    """Return the paper's estimate of |ε_t|, 1/(ψ√κ) (Eq. 27), made for 1/√κ ≤ ψ ≤ 2."""
+    with np.errstate(over="ignore"):
+        return np.asarray(1.0 / np.sqrt(np.asarray(kappa, dtype=float)) / np.asarray(psi))
+
+
+def stiff_asymptote(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
+    """Return the largest |ε_t| for κ → ∞, 4.4848 κ^{-5/4}/ψ; NaN for ψ ≥ 2.
+
+    The last free swing ends about 1/√κ before the contact does.
+    """
+    psis = np.asarray(psi, dtype=float)
+    with np.errstate(over="ignore"):
+        largest: FloatArray = STIFF_ASYMPTOTE * np.asarray(kappa, dtype=float) ** -1.25 / psis
+    return np.where(psis < 2.0, largest, np.nan)
+
+
+def largest_switch_count(kappa: npt.ArrayLike) -> FloatArray:
+    """Return the largest number of switches for κ → ∞, √κ t_c/π."""
+    return np.asarray(np.sqrt(np.asarray(kappa, dtype=float)) * CONTACT_DURATION / np.pi)

@@ -1,0 +1,298 @@
+"""Where sliding and sticking end: bracketed roots of closed forms.
+
+Divided by m = μ/α the collision has two parameters, κ and ψ = (α/μ)(g_t/g_n): the spring z and
+the surface velocity u of this module are the paper's divided by m. Sliding keeps z = s x^{3/2}/κ
+and gives u = u₁ + s(ẋ − ẋ₁); sticking is a harmonic of frequency ω = √κ about z = 0.
+
+Every instant is q, the root of the time to the nearer end of the contact (see `hertz`), with a
+word on the half. What makes the brackets safe is derived in docs/model.md, "Events without
+search"; with r = κ x^{3/2} + d²(x^{3/2})/dt²:
+
+* Sliding ends where the reach R = κ(1 − ẋ) + d(x^{3/2})/dt has grown by κ times the slip rate.
+  R' = r, so R is monotone for κ ≥ `MONOTONE_STIFFNESS`; below, it falls between mirror extrema.
+* Where sticking begins, z and u are those of the cap: the instant and the side say everything.
+  A spring that begins to stick in the decompression meets the cap next on the other side, after
+  z = 0 and before its next extremum.
+* One that begins to stick at t₀ in the compression meets the cap in the swing during which the
+  cap falls below the spring's amplitude: while |z| grows, or while |z| falls, and this exactly
+  if the spring would be beyond the cap at the mirror time t_c − t₀.
+"""
+
+import math
+
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.hertz import (
+    CONTACT_DURATION,
+    HALF_CONTACT,
+    HALF_CONTACT_ROOT,
+    MAXIMUM_FORCE,
+    normal_motion,
+)
+
+MONOTONE_STIFFNESS = 1.5684593288589
+"""(21/10 x_max^{5/2} − 3/4)/x_max²: from here on r > 0 during the whole contact."""
+
+ROUNDING = 2.220446049250313e-16
+"""Distance from 1 to the next double."""
+
+CONVERGED = 1e-9
+"""Relative Newton step after which the iteration is over: what is left is its square."""
+
+NEGLIGIBLE = 1e-100
+"""A root this near to an end of the contact is the end: x^{3/2} = 1e-300 there."""
+
+MOST_NEWTON_STEPS, MOST_STEPS = 40, 500
+"""Halving from 1 to `NEGLIGIBLE` and on to the last digit takes 386 of the difference."""
+
+SLIDING_TO_THE_END, COMPRESSING, DECOMPRESSING = 0, 1, 2
+
+
+@compiled
+def newton_within(
+    n: int, q: float, value: float, slope: float, low: float, high: float
+) -> tuple[float, bool]:
+    """Return the next q of a Newton iteration kept in a bracket, and whether it is the root."""
+    step = value / slope
+    if abs(step) <= CONVERGED * q:
+        return q - step, True
+    following = q - step
+    # where rounding in a large phase √κ t outweighs `value`, only the bracket still shrinks
+    if n >= MOST_NEWTON_STEPS or not low <= following <= high:
+        following = 0.5 * (low + high)
+    return following, high - low <= ROUNDING * high or high < NEGLIGIBLE
+
+
+@compiled
+def slip_extremum(kappa: float) -> float:
+    """Return q where R has its maximum in the compression; κ below `MONOTONE_STIFFNESS`.
+
+    There r = 0, that is κx² + 3/4 − (21/10) x^{5/2} = 0 in √x.
+    """
+    low, high = 0.0, HALF_CONTACT_ROOT
+    q = 0.9
+    for n in range(MOST_STEPS):
+        root, loss = normal_motion(q)
+        fourth = root * root * root * root
+        value = kappa * fourth + 0.75 - 2.1 * root * fourth
+        slope = (4.0 * kappa * fourth / root - 10.5 * fourth) * (1.0 - loss) * q / root
+        if value > 0.0:
+            low = q
+        else:
+            high = q
+        q, found = newton_within(n, q, value, slope, low, high)
+        if found:
+            return q
+    raise ArithmeticError("the largest reach of sliding was not found")
+
+
+@compiled
+def slip_reach(kappa: float, q: float) -> float:
+    """Return R = κ(1 − |ẋ|) + |d(x^{3/2})/dt| at q."""
+    root, loss = normal_motion(q)
+    return kappa * loss + 1.5 * root * (1.0 - loss)
+
+
+@compiled
+def sliding_end(kappa: float, target: float, guess: float, high: float) -> float:
+    """Return q in (0, high) where R(q) = `target`; R is monotone there."""
+    if target < NEGLIGIBLE:
+        return min(target / 1.5, high)
+    low = 0.0
+    q = guess
+    for n in range(MOST_STEPS):
+        root, loss = normal_motion(q)
+        rate = 1.0 - loss
+        square = root * root
+        fourth = square * square
+        value = kappa * loss + 1.5 * root * rate - target
+        slope = 2.0 * q * (kappa * fourth + 0.75 * rate * rate - 1.5 * root * fourth) / root
+        if value > 0.0:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, slope, low, high)
+        if found:
+            return q
+    raise ArithmeticError("the end of sliding was not found")
+
+
+@compiled
+def first_sliding_end(kappa: float, psi: float) -> tuple[int, float, bool]:
+    """Return in which half the first sliding ends, q there, and whether that is beyond doubt."""
+    load = kappa * psi
+    threshold = 2.0 * kappa
+    compressing = load < kappa
+    high = HALF_CONTACT_ROOT
+    if kappa < MONOTONE_STIFFNESS:
+        high = slip_extremum(kappa)
+        reach = slip_reach(kappa, high)
+        threshold = max(threshold, reach)
+        compressing = load < reach
+    certain = abs(load - threshold) > 8.0 * ROUNDING * threshold
+    if not load < threshold:
+        return SLIDING_TO_THE_END, 0.0, certain
+    target = load if compressing else kappa * (2.0 - psi)
+    guess = min(target / 1.5, (2.5 * target / kappa) ** 0.2, 0.999 * high)
+    q = sliding_end(kappa, target, guess, high)
+    return (COMPRESSING if compressing else DECOMPRESSING), q, certain
+
+
+@compiled
+def cap_fall(amplitude: float) -> float:
+    """Return q, to a few digits, where x^{3/2} has fallen to `amplitude`."""
+    cap_root: float = min(amplitude, MAXIMUM_FORCE) ** (1.0 / 3.0)
+    q: float = cap_root
+    for _ in range(6):
+        root, loss = normal_motion(q)
+        # d√x/dq = |ẋ| q/√x vanishes at the top, where a few digits need no more than a floor
+        q = min(
+            q + (cap_root - root) * root / (max(q, NEGLIGIBLE) * max(1.0 - loss, 0.05)),
+            HALF_CONTACT_ROOT,
+        )
+    return q
+
+
+@compiled
+def decompression_bracket(
+    omega: float, t0: float, p0: float, amplitude: float, lead: float
+) -> tuple[float, float, int, bool]:
+    """Return q below and above the next cap, its side, and whether that is beyond doubt.
+
+    The spring κz = `amplitude` cos(ω(t − t₀) − `lead`) began to stick at t₀ in the compression,
+    with x^{3/2} = p₀; the cap is above it until the decompression.
+    """
+    fallen = cap_fall(amplitude)
+    swing = round((omega * (CONTACT_DURATION - fallen * fallen - t0) - lead) / math.pi)
+    left = CONTACT_DURATION - t0 - (lead + swing * math.pi) / omega
+    certain = True
+    if left > 0.0:
+        root, _ = normal_motion(math.sqrt(min(left, HALF_CONTACT)))
+        if root * root * root > amplitude:
+            # The extremum stays within the cap. After it the cap is met if z = 0 comes too late,
+            # or if the spring is beyond it at the mirror time.
+            high = math.sqrt(min(left, HALF_CONTACT))
+            if left <= 0.5 * math.pi / omega:
+                return 0.0, high, 1 - 2 * (int(swing) & 1), True
+            mirror = omega * (CONTACT_DURATION - 2.0 * t0) - lead - swing * math.pi
+            excess = amplitude * math.cos(mirror) - p0
+            certain = abs(excess) > 8.0 * ROUNDING * (1.0 + omega) * amplitude
+            if mirror < 0.5 * math.pi and excess >= 0.0:
+                return math.sqrt(t0), high, 1 - 2 * (int(swing) & 1), certain
+            swing += 1
+            left -= math.pi / omega
+    side = 1 - 2 * (int(swing) & 1)
+    low = math.sqrt(max(0.0, left))
+    # rounding of a large phase can put z = 0 just behind the end of the contact
+    high = math.sqrt(max(0.0, min(left + 0.5 * math.pi / omega, HALF_CONTACT)))
+    return low, high, side, certain
+
+
+@compiled
+def sticking_end_after_compression(
+    kappa: float, omega: float, q0: float, u0: float
+) -> tuple[bool, float, int, float, bool]:
+    """Return where a spring that began to stick while compressing, with z > 0, meets the cap.
+
+    Returns
+    -------
+    decompressing : bool
+        In which half.
+    q : float
+        Root of the time to the nearer end of the contact.
+    side : int
+        Sign of the spring there.
+    u : float
+        Surface velocity there.
+    certain : bool
+        False if rounding decides whether one more swing stays within the cap.
+    """
+    root, _ = normal_motion(q0)
+    p0 = root * root * root
+    v0 = omega * u0
+    t0 = q0 * q0
+    amplitude = math.hypot(p0, v0)
+    lead = math.atan2(v0, p0)
+    decompressing = True
+    if kappa < MONOTONE_STIFFNESS and amplitude >= MAXIMUM_FORCE:
+        # The cap is below the amplitude throughout, so it is met before the first extremum.
+        side, certain = 1, True
+        peak = t0 + lead / omega
+        middle = omega * (HALF_CONTACT - t0)
+        high = HALF_CONTACT_ROOT
+        decompressing = not (
+            peak < HALF_CONTACT or p0 * math.cos(middle) + v0 * math.sin(middle) > MAXIMUM_FORCE
+        )
+        if decompressing:
+            low = math.sqrt(max(0.0, CONTACT_DURATION - peak))
+        else:
+            low, high = slip_extremum(kappa), math.sqrt(min(peak, HALF_CONTACT))
+    else:
+        low, high, side, certain = decompression_bracket(omega, t0, p0, amplitude, lead)
+    q, u = cap_contact(omega, t0, p0, u0, decompressing, side, low, high)
+    return decompressing, q, side, u, certain
+
+
+@compiled
+def cap_contact(
+    omega: float,
+    t0: float,
+    p0: float,
+    u0: float,
+    decompressing: bool,
+    side: int,
+    low: float,
+    high: float,
+) -> tuple[float, float]:
+    """Return q in (low, high) where `side` κz = x^{3/2}, and u there."""
+    origin = CONTACT_DURATION - t0 if decompressing else -t0
+    sense = -1.0 if decompressing else 1.0
+    v0 = omega * u0
+    q = high
+    for n in range(MOST_STEPS):
+        root, loss = normal_motion(q)
+        angle = omega * (origin + sense * q * q)
+        sine, cosine = math.sin(angle), math.cos(angle)
+        value = root * root * root - side * (p0 * cosine + v0 * sine)
+        spring_slope = 2.0 * sense * side * omega * (v0 * cosine - p0 * sine)
+        slope = q * (3.0 * root * (1.0 - loss) - spring_slope)
+        # the spring comes from below the cap: from larger q when decompressing
+        if (value > 0.0) == decompressing:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, slope, low, high)
+        if found:
+            angle = omega * (origin + sense * q * q)
+            return q, u0 * math.cos(angle) - p0 / omega * math.sin(angle)
+    raise ArithmeticError("the end of the first sticking was not found")
+
+
+@compiled
+def sticking_end_in_decompression(kappa: float, omega: float, q0: float) -> tuple[float, float]:
+    """Return q at the next cap, on the other side, and the velocity towards that side there.
+
+    The spring began to stick at q₀ with the fall of the cap, so κz is
+    −`amplitude` sin(ω(t − t_zero)) times the side that it leaves.
+    """
+    root, loss = normal_motion(q0)
+    p0 = root * root * root
+    fall = 1.5 * root * (1.0 - loss)
+    amplitude = math.hypot(p0, fall / omega)
+    zero = q0 * q0 - math.atan2(omega * p0, fall) / omega
+    low = math.sqrt(max(0.0, zero - 0.5 * math.pi / omega))
+    high = math.sqrt(zero)
+    q = high
+    for n in range(MOST_STEPS):
+        root, loss = normal_motion(q)
+        angle = omega * (zero - q * q)
+        sine, cosine = math.sin(angle), math.cos(angle)
+        value = root * root * root - amplitude * sine
+        slope = q * (3.0 * root * (1.0 - loss) + 2.0 * omega * amplitude * cosine)
+        if value > 0.0:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, slope, low, high)
+        if found:
+            return q, math.hypot(p0 / omega, fall / kappa) * math.cos(omega * (zero - q * q))
+    raise ArithmeticError("the end of sticking was not found")

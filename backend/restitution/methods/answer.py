@@ -1,0 +1,55 @@
+"""What every method takes and gives."""
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.mechanics.hertz import FloatArray
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a caller may say about the way to get ε_t.
+
+    Attributes
+    ----------
+    method : str
+        ``auto`` or the name of a method.
+    tolerance : float
+        Largest absolute error wanted in ε_t.
+    floor : float
+        ε₀ of the pragmatic model.
+    """
+
+    method: str = "auto"
+    tolerance: float = 1e-10
+    floor: float = 0.0
+
+
+@dataclass(frozen=True)
+class Answer:
+    """ε_t of many collisions; arrays of shape (N,).
+
+    Attributes
+    ----------
+    epsilon_t : ndarray of float
+        Coefficient of tangential restitution.
+    error_bound : ndarray of float
+        Bound on its absolute error; the method says whether proven or measured.
+    method : ndarray of str
+        Names of the methods that gave it.
+    switches : ndarray of int, or None
+        Changes of regime; −1 where the method that answered cannot count them.
+    switches_certain : ndarray of bool, or None
+        False where rounding decides about a switch.
+    exact : ndarray of float, or None
+        The exact ε_t where it was computed on the way.
+    """
+
+    epsilon_t: FloatArray
+    error_bound: FloatArray
+    method: npt.NDArray[np.str_]
+    switches: npt.NDArray[np.int32] | None = None
+    switches_certain: npt.NDArray[np.bool_] | None = None
+    exact: FloatArray | None = None

@@ -1,0 +1,1 @@
+"""What a scene shows, and no more: frozen dataclasses of arrays."""

@@ -1,0 +1,44 @@
+"""The values of one parameter along a cut or an edge of a map."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from restitution.errors import ParameterError
+from restitution.mechanics.hertz import FloatArray
+
+
+@dataclass(frozen=True)
+class Axis:
+    """`count` values from `minimum` to `maximum`, on a ``linear`` or ``log`` scale.
+
+    `prefix` stands before minimum, maximum and count in messages about them.
+    """
+
+    minimum: float
+    maximum: float
+    count: int
+    scale: str = "linear"
+    prefix: str = ""
+    suffixes: tuple[str, str] = ("minimum", "maximum")
+
+    def values(self, *, positive: bool) -> FloatArray:
+        """Return the values (count,); `positive` where the parameter has to be.
+
+        Raises
+        ------
+        ParameterError
+            If the range is empty, or reaches 0 where it must not.
+        """
+        low, high = (self.prefix + suffix for suffix in self.suffixes)
+        if not self.minimum < self.maximum:
+            raise ParameterError(high, self.maximum, f"greater than {low} = {self.minimum!r}")
+        if self.minimum <= 0.0 and (positive or self.scale == "log"):
+            reason = "as kappa is" if positive else "on a log scale"
+            raise ParameterError(low, self.minimum, f"> 0, {reason}")
+        if self.scale == "linear":
+            return np.linspace(self.minimum, self.maximum, self.count)
+        with np.errstate(over="ignore"):
+            values = np.geomspace(self.minimum, self.maximum, self.count)
+        # the logarithm of the ends rounds, at the edge of the double range beyond it
+        return np.clip(values, self.minimum, self.maximum)

@@ -1,0 +1,131 @@
+"""The forces and velocities of one collision over time."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.errors import CostError
+from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray, normal_curves
+from restitution.mechanics.motion import Motion, tangential_curves
+from restitution.methods.answer import Options
+from restitution.studies.collision import CollisionStudy, followed_motion, study_collision
+from restitution.studies.parameters import CollisionParameters
+
+COLUMNS = (
+    "time",
+    "compression",
+    "compression_rate",
+    "normal_force",
+    "tangential_force_over_mu",
+    "tangential_velocity",
+    "spring_elongation",
+    "regime",
+    "tangential_energy",
+)
+
+NORMAL_COLUMNS = ("compression", "compression_rate", "normal_force")
+
+MOST_SWITCHES = 20_000
+"""A trace with more switches than this has no picture."""
+
+
+@dataclass(frozen=True)
+class TraceStudy:
+    """A collision over time.
+
+    Attributes
+    ----------
+    collision : CollisionStudy
+        The collision itself.
+    columns : dict of str to ndarray, shape (samples + switches,)
+        Of `COLUMNS`, those asked for, in scaled units.
+    switch_times : ndarray, shape (switches,)
+        Instants of the switches; each is also among the samples.
+    """
+
+    collision: CollisionStudy
+    columns: dict[str, FloatArray | npt.NDArray[np.int8]]
+    switch_times: FloatArray
+
+
+def study_trace(
+    parameters: CollisionParameters,
+    options: Options | None = None,
+    samples: int = 400,
+    columns: Collection[str] = COLUMNS,
+    episode_limit: int = 200,
+) -> TraceStudy:
+    """Return a collision at uniform instants, merged with those of its switches.
+
+    Parameters
+    ----------
+    parameters : CollisionParameters
+        κ, μ/α, g_t/g_n.
+    options : Options, optional
+        Method and tolerance of ε_t; the trace itself is exact.
+    samples : int, optional
+        Uniform instants from 0 to t_c, at least 2.
+    columns : collection of str, optional
+        Of `COLUMNS`; only these are computed.
+
+    Raises
+    ------
+    CostError
+        If the collision is too stiff or switches more often than `MOST_SWITCHES`.
+    """
+    collision = study_collision(parameters, options, episode_limit=episode_limit)
+    path = followed_motion(parameters)
+    switch_times = path.start[1:] if path else np.empty(0)
+    if switch_times.size > MOST_SWITCHES:
+        raise CostError(
+            f"this collision has {switch_times.size:,} switches; a trace shows at most "
+            f"{MOST_SWITCHES:,}. Ask for a softer one, or for /collision"
+        )
+    uniform = np.linspace(0.0, CONTACT_DURATION, samples)
+    time = np.insert(uniform, np.searchsorted(uniform, switch_times, side="right"), switch_times)
+    wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
+    compression, rate, cap = normal_curves(time)
+    values: dict[str, FloatArray | npt.NDArray[np.int8]] = {
+        "time": time,
+        "compression": compression,
+        "compression_rate": rate,
+        "normal_force": cap,
+    }
+    if not wanted.keys() <= values.keys():
+        values |= _tangential(parameters, path, time, cap)
+    return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times)
+
+
+def _tangential(
+    parameters: CollisionParameters, path: Motion | None, time: FloatArray, cap: FloatArray
+) -> dict[str, FloatArray | npt.NDArray[np.int8]]:
+    """Return the tangential columns at the instants `time` (N,), `cap` being x^{3/2} there.
+
+    They are formed from u/u(0) and z/u(0), so that no product leaves the double range on the way.
+    """
+    initial, psi = parameters.gt_over_gn, parameters.psi
+    if path is not None:
+        curves = tangential_curves(path, time)
+        velocity, elongation = initial * curves.velocity, initial * curves.elongation
+        # a collision weaker than the one that was followed has proportionally weaker forces
+        force, regime = curves.force * min(1.0, psi / path.psi), curves.regime
+    elif psi == 0.0:
+        velocity = elongation = force = np.zeros(time.size)
+        regime = np.zeros(time.size, np.int8)
+    else:
+        velocity, force = np.full(time.size, initial), cap
+        with np.errstate(over="ignore"):
+            stretch = cap / parameters.kappa * parameters.mu_over_alpha
+        elongation = np.minimum(np.nan_to_num(stretch), initial * time)
+        regime = np.ones(time.size, np.int8)
+    with np.errstate(over="ignore"):
+        energy = 0.5 * (velocity**2 + (np.sqrt(parameters.kappa) * elongation) ** 2)
+    return {
+        "tangential_velocity": velocity,
+        "spring_elongation": elongation,
+        "tangential_force_over_mu": 0.0 - force,
+        "regime": regime,
+        "tangential_energy": energy,
+    }
