@@ -58,7 +58,7 @@ def pure_sliding_border(kappa: float) -> float:
     """ψ*: the largest 1 - ẋ + (3/2κ)√x ẋ, by the golden section on the grid's best interval."""
 
     def needed(velocity: float) -> float:
-        root = (1.25 * (1 - velocity * velocity)) ** 0.2
+        root: float = (1.25 * (1 - velocity * velocity)) ** 0.2
         return 1 - velocity + 1.5 * root * velocity / kappa
 
     best = max(range(1, 10_000), key=lambda k: needed(math.cos(math.pi * k / 20_000)))
