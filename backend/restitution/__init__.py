@@ -5,7 +5,7 @@
 0.2
 >>> trace = restitution.trace(kappa=18, mu_over_alpha=1.4, gt_over_gn=0.5)
 >>> trace["tangential_velocity"].shape
-(402,)
+(404,)
 """
 
 import numpy as np

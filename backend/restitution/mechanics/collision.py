@@ -121,7 +121,7 @@ def rounding_bound(kappa: float, psi: float) -> float:
 
     Errors never grow, for two motions under the same cap only approach each other (docs/model.md).
     What remains is the phase √κ t_c of a swing whose amplitude is at most `stiff_bound`, and some
-    roundings of ε_t itself. The factor is four times the largest error seen in `make verify`.
+    roundings of ε_t itself. The factor is five times the largest error seen in tests/validation.
     """
     return 4e-15 * (1.0 + math.sqrt(kappa) * stiff_bound(kappa, psi))
 
@@ -220,7 +220,8 @@ def _collide_each(
     for i in range(kappa.size):
         k, p = kappa[i], max(psi[i], WEAKEST)
         bound[i] = rounding_bound(k, p)
-        if expected_switches(k, p) > most_switches or (bound[i] >= 1.0 and p < 2.0):
+        # for ψ ≥ 2 there are few switches, and the stiff limit says nothing
+        if p < 2.0 and (bound[i] >= 1.0 or expected_switches(k, p) > most_switches):
             epsilon_t[i], switches[i], certain[i] = 0.0, TOO_STIFF, False
             bound[i] = stiff_bound(k, p)
         else:
@@ -242,8 +243,8 @@ def collide(
         ψ = (α/μ)(g_t/g_n), not negative; broadcast against `kappa`. 0 stands for the limit
         ψ → 0, with no switch; infinity gives ε_t = 1.
     most_switches : float, optional
-        Collisions that are expected to switch more often are not followed: they have ε_t = 0
-        with the stiff limit as bound, and `TOO_STIFF` switches.
+        Collisions with ψ < 2 that are expected to switch more often are not followed: they have
+        ε_t = 0 with the stiff limit as bound, and `TOO_STIFF` switches.
 
     Returns
     -------

@@ -203,7 +203,8 @@ def _reversals(
         final = j + 1 == start.size
         if episodes[j]["sliding"]:
             u1 = last_velocity if final else episodes[j + 1]["velocity"]
-            count += (u0 > 0.0) != (u1 > 0.0)
+            # a velocity of exactly 0 has not turned
+            count += (u0 > 0.0 and u1 < 0.0) or (u0 < 0.0 and u1 > 0.0)
         else:
             root, _ = normal_motion(episodes[j]["q"])
             lag = math.atan2(episodes[j]["side"] * root * root * root / omega, u0)

@@ -154,15 +154,19 @@ def cap_fall(amplitude: float) -> float:
 
 @compiled
 def decompression_bracket(
-    omega: float, t0: float, p0: float, amplitude: float, lead: float
+    kappa: float, t0: float, p0: float, amplitude: float, lead: float
 ) -> tuple[float, float, int, bool]:
     """Return q below and above the next cap, its side, and whether that is beyond doubt.
 
     The spring κz = `amplitude` cos(ω(t − t₀) − `lead`) began to stick at t₀ in the compression,
     with x^{3/2} = p₀; the cap is above it until the decompression.
     """
+    omega = math.sqrt(kappa)
     fallen = cap_fall(amplitude)
     swing = round((omega * (CONTACT_DURATION - fallen * fallen - t0) - lead) / math.pi)
+    if kappa >= MONOTONE_STIFFNESS:
+        # r > 0 keeps the spring within the cap during the swing in which it begins to stick
+        swing = max(swing, 1)
     left = CONTACT_DURATION - t0 - (lead + swing * math.pi) / omega
     certain = True
     if left > 0.0:
@@ -174,10 +178,11 @@ def decompression_bracket(
             if left <= 0.5 * math.pi / omega:
                 return 0.0, high, 1 - 2 * (int(swing) & 1), True
             mirror = omega * (CONTACT_DURATION - 2.0 * t0) - lead - swing * math.pi
-            excess = amplitude * math.cos(mirror) - p0
-            certain = abs(excess) > 8.0 * ROUNDING * (1.0 + omega) * amplitude
-            if mirror < 0.5 * math.pi and excess >= 0.0:
-                return math.sqrt(t0), high, 1 - 2 * (int(swing) & 1), certain
+            if mirror < 0.5 * math.pi:
+                excess = amplitude * math.cos(mirror) - p0
+                certain = abs(excess) > 8.0 * ROUNDING * (1.0 + omega) * amplitude
+                if excess >= 0.0:
+                    return math.sqrt(t0), high, 1 - 2 * (int(swing) & 1), certain
             swing += 1
             left -= math.pi / omega
     side = 1 - 2 * (int(swing) & 1)
@@ -227,7 +232,7 @@ def sticking_end_after_compression(
         else:
             low, high = slip_extremum(kappa), math.sqrt(min(peak, HALF_CONTACT))
     else:
-        low, high, side, certain = decompression_bracket(omega, t0, p0, amplitude, lead)
+        low, high, side, certain = decompression_bracket(kappa, t0, p0, amplitude, lead)
     q, u = cap_contact(omega, t0, p0, u0, decompressing, side, low, high)
     return decompressing, q, side, u, certain
 

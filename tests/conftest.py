@@ -1,0 +1,46 @@
+"""Reference collisions and the seeds of property tests, shared by all tests."""
+
+import csv
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+from hypothesis import settings
+
+VALIDATION = Path(__file__).parent / "validation"
+
+# one fixed sequence of examples: a failure on one machine is a failure on every machine
+settings.register_profile("seeded", derandomize=True, deadline=None, max_examples=300)
+settings.load_profile("seeded")
+
+
+class Reference(NamedTuple):
+    """Columns of the reference collisions; shape (N,)."""
+
+    kappa: np.ndarray
+    psi: np.ndarray
+    epsilon_t: np.ndarray
+    switches: np.ndarray
+    nearest_grazing: np.ndarray
+    first_switch_time: np.ndarray
+
+
+def read(name: str) -> list[dict[str, str]]:
+    with (VALIDATION / name).open() as file:
+        return list(csv.DictReader(file))
+
+
+@pytest.fixture(scope="session")
+def reference() -> Reference:
+    rows = read("collisions.csv") + read("collisions_more.csv")
+    columns = {
+        name: np.array([float(row[name] or "nan") for row in rows]) for name in Reference._fields
+    }
+    return Reference(**columns)
+
+
+@pytest.fixture(scope="session")
+def reference_reversals() -> np.ndarray:
+    names = ("kappa", "psi", "reversals")
+    return np.array([[float(row[n]) for n in names] for row in read("collisions_more.csv")])
