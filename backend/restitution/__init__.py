@@ -1,8 +1,8 @@
 """Coefficient of tangential restitution of frictional viscoelastic spheres.
 
 >>> import restitution
->>> float(restitution.epsilon_t(kappa=18, mu_over_alpha=1.4, gt_over_gn=3.5))
-0.2
+>>> float(restitution.epsilon_t(kappa=18, mu_over_alpha=1.4, gt_over_gn=5.6))
+0.5
 >>> trace = restitution.trace(kappa=18, mu_over_alpha=1.4, gt_over_gn=0.5)
 >>> trace["tangential_velocity"].shape
 (404,)

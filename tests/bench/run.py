@@ -1,0 +1,206 @@
+"""Costs and times: kernels, a general solver at the same points, requests, start-up.
+
+Prints a table and writes bench.json. If an earlier bench.json is there, each figure is compared
+with it as a ratio, after both are divided by a calibration loop of their own run: machines differ
+and share their cores.
+"""
+
+import http.client
+import json
+import os
+import platform
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+
+import numpy as np
+from solver import solve_with_events
+
+from restitution.mechanics import collision
+from restitution.mechanics.compiled import MODEL_VERSION
+from restitution.methods.answer import Options
+from restitution.studies.axis import Axis
+from restitution.studies.grid import study_grid
+from restitution.studies.parameters import CollisionParameters
+from restitution.studies.trace import study_trace
+
+RESULTS = Path(__file__).parents[2] / "bench.json"
+RESTITUTION = Path(sys.executable).with_name("restitution")
+PORT = 8641
+RUNS = 7
+
+Clock = Callable[[], float]
+
+
+def median(run: Callable[[], object], runs: int = RUNS, clock: Clock = time.thread_time) -> float:
+    """Return the median time of `run` in seconds, after one run that does not count."""
+    run()
+    times = []
+    for _ in range(runs):
+        begin = clock()
+        run()
+        times.append(clock() - begin)
+    return statistics.median(times)
+
+
+def calibration() -> float:
+    """Return the seconds of a fixed piece of interpreted and compiled arithmetic."""
+    values = np.linspace(0.0, 1.0, 100_000)
+
+    def run() -> float:
+        total = sum(i * i for i in range(100_000))
+        return total + float(np.sum(np.sin(values) ** 2))
+
+    return median(run, 21)
+
+
+def kernel(kappa: np.ndarray, tangential: np.ndarray) -> dict[str, float]:
+    """Return µs of thread CPU per collision over a map at μ/α = 1.4, one thread."""
+    kappas, psis = (a.ravel() for a in np.meshgrid(kappa, tangential / 1.4))
+    outputs = (
+        np.empty(kappas.size),
+        np.empty(kappas.size, np.int32),
+        np.empty(kappas.size, np.bool_),
+        np.empty(kappas.size),
+    )
+    seconds = median(
+        lambda: collision._collide_each(kappas, psis, collision.MOST_SWITCHES, *outputs)
+    )
+    return {"µs": 1e6 * seconds / kappas.size, "mean switches": float(outputs[1].mean())}
+
+
+def kernels() -> dict[str, float]:
+    """Return the costs of mechanics and studies."""
+    linear = kernel(np.linspace(0.1, 70, 500), np.linspace(0.01, 4, 500))
+    log = kernel(np.geomspace(0.1, 70, 500), np.geomspace(0.01, 4, 500))
+    axes = Axis(0.1, 70, 300), Axis(0.01, 4, 200)
+    one = CollisionParameters(63.0, 1.4, 1.358)
+    trace = median(lambda: study_trace(one, Options(), 400), 101)
+    return {
+        "collision, linear grid, µs CPU": linear["µs"],
+        "collision, log grid, µs CPU": log["µs"],
+        "switches per collision, linear grid": linear["mean switches"],
+        "map 300×200, ms wall, all cores": 1e3
+        * median(lambda: study_grid(*axes, 1.4), clock=time.perf_counter),
+        "trace of 400 samples, ms CPU": 1e3 * trace,
+    }
+
+
+def general_solver(points: int = 40) -> dict[str, float]:
+    """Return cost and error of scipy's solve_ivp with events beside ours at the same points."""
+    rng = np.random.default_rng(2008)
+    kappa, psi = rng.uniform(0.1, 70, points), rng.uniform(0.01, 4, points) / 1.4
+    exact = collision.collide(kappa, psi).epsilon_t
+    errors, begin = [], time.thread_time()
+    for k, p, e in zip(kappa, psi, exact, strict=True):
+        errors.append(abs(solve_with_events(k, p) - e))
+    theirs = (time.thread_time() - begin) / points
+    repeated = np.tile(kappa, 500), np.tile(psi, 500)
+    outputs = [np.empty(repeated[0].size, t) for t in (float, np.int32, np.bool_, float)]
+    ours = median(lambda: collision._collide_each(*repeated, collision.MOST_SWITCHES, *outputs))
+    return {
+        "solve_ivp with events (rtol 1e-9), µs CPU per collision": 1e6 * theirs,
+        "its median error in ε_t": float(np.median(errors)),
+        "its largest error in ε_t": float(np.max(errors)),
+        "its cost over ours": theirs / (ours / repeated[0].size),
+    }
+
+
+@contextmanager
+def server(cache: str | None = None):
+    """Start a real server; yield the seconds until it was ready."""
+    environment = os.environ | ({"NUMBA_CACHE_DIR": cache} if cache else {})
+    begin = time.perf_counter()
+    process = subprocess.Popen(
+        [RESTITUTION, "serve", "--port", str(PORT)], env=environment, stdout=subprocess.DEVNULL
+    )
+    try:
+        while True:
+            try:
+                connection = http.client.HTTPConnection("127.0.0.1", PORT, timeout=5)
+                connection.request("GET", "/readyz")
+                if connection.getresponse().status == 200:
+                    break
+            except OSError:
+                pass
+            time.sleep(0.01)
+        yield time.perf_counter() - begin
+    finally:
+        process.send_signal(signal.SIGTERM)
+        process.wait(20)
+
+
+def start_up() -> dict[str, float]:
+    """Return the seconds from the command to readiness, with and without cached kernels."""
+    with tempfile.TemporaryDirectory() as cache:
+        with server(cache) as first:
+            pass
+        again = []
+        for _ in range(3):
+            with server(cache) as seconds:
+                again.append(seconds)
+    return {"start, first time, s": first, "start, kernels cached, s": statistics.median(again)}
+
+
+def requests() -> dict[str, float]:
+    """Return the wall time of requests over one kept connection, as a client sees it."""
+    common = "kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358"
+    paths = {
+        "GET /collision, ms": f"/collision?{common}",
+        "GET /trace, 400 samples, JSON, ms": f"/trace?{common}",
+        "GET /trace, 400 samples, base64, ms": f"/trace?{common}&encoding=base64",
+        "GET /map, 200×150, base64, ms": "/map?mu_over_alpha=1.4&encoding=base64",
+        "GET /cut, 400 points, base64, ms": (
+            "/cut?along=gt_over_gn&kappa=63&mu_over_alpha=1.4&encoding=base64"
+        ),
+    }
+    million = {"kappa": np.linspace(0.1, 70, 1_000_000).tolist(), "mu_over_alpha": 1.4}
+    body = json.dumps(million | {"gt_over_gn": 1.0})
+    results = {}
+    with server():
+        connection = http.client.HTTPConnection("127.0.0.1", PORT)
+
+        def fetch(method: str, path: str, body: str | None = None) -> None:
+            connection.request(method, f"/api/v1{path}", body, {"Content-Type": "application/json"})
+            assert connection.getresponse().read()
+
+        for name, path in paths.items():
+            results[name] = 1e3 * median(lambda p=path: fetch("GET", p), 51, time.perf_counter)
+        post = median(lambda: fetch("POST", "/collisions", body), 3, time.perf_counter)
+        results["POST /collisions, 10⁶ collisions, s"] = post
+    return results
+
+
+def main() -> None:
+    """Measure, compare with the last run, print and store."""
+    figures = kernels() | general_solver() | requests() | start_up()
+    unit = calibration()
+    last = json.loads(RESULTS.read_text()) if RESULTS.exists() else None
+    print(f"{'':58s}{'now':>12s}{'÷ last':>9s}")
+    for name, value in figures.items():
+        ratio = ""
+        if last and name in last["figures"]:
+            before = last["figures"][name] / last["calibration_s"]
+            ratio = f"{value / unit / before:9.2f}" if before else ""
+        print(f"{name:58s}{value:12.4g}{ratio}")
+    record = {
+        "measured_at": datetime.now(UTC).isoformat(timespec="seconds"),
+        "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
+        "python": platform.python_version(),
+        "model_version": MODEL_VERSION,
+        "calibration_s": unit,
+        "figures": figures,
+    }
+    RESULTS.write_text(json.dumps(record, indent=2, ensure_ascii=False) + "\n")
+    print(f"stored in {RESULTS.name}; the calibration loop took {1e3 * unit:.2f} ms")
+
+
+if __name__ == "__main__":
+    main()
