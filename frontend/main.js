@@ -1,6 +1,7 @@
 // @ts-check
 
 import { createClient, Refused, Unreachable } from "./api/client.js";
+import { SYMBOLS } from "./format/symbols.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
@@ -8,6 +9,7 @@ import { afterNextFrame, announcePainted } from "./panels/painted.js";
 import { mountParameterControl } from "./panels/parameter-control.js";
 import { mountPresets } from "./panels/presets.js";
 import { mountResultStrip } from "./panels/result-strip.js";
+import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
@@ -28,6 +30,7 @@ import { readAddress } from "./state/url.js";
 /** Cells of the map: fewer while μ/α is dragged, for the trace goes first. */
 const FULL_MAP = { kappa: 240, gtOverGn: 180 };
 const QUICK_MAP = { kappa: 80, gtOverGn: 60 };
+const MAP_PAUSE = 80;
 
 const client = createClient();
 const { state: initialState, problems } = readAddress(location.search);
@@ -42,6 +45,16 @@ const notice = mountMessage(byTestId("notice"));
 const strip = mountResultStrip(byTestId("result"));
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
+const timeCursor = mountTimeCursor([
+  {
+    panel: find(".force"),
+    columns: [
+      [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
+      [SYMBOLS.normal_force, "normal_force"],
+    ],
+  },
+  { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
+]);
 const map = mountMap(find(".map-panel"), {
   onPlace: changeCollision,
   onOption: (patch) => store.set(patch),
@@ -72,6 +85,7 @@ const maps = createLatest({
     map.show({ ...shownMap, quantity: store.get().map });
   },
   onError: explain,
+  pause: MAP_PAUSE,
 });
 
 /** @type {{grid: import("./api/client.js").MapGrid, view: MapView} | null} */
@@ -184,6 +198,7 @@ function showTrace(trace, { change }) {
   strip.show(trace, change.dragging);
   force.show(trace);
   map.legend.point(trace);
+  timeCursor.show(trace);
   afterNextFrame(() => {
     announcePainted("force-trace", change.inputTimeStamp);
     velocity.show(trace);

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
 import { regimeBars } from "./regimes.js";
 import { spreadApart } from "./spread.js";
 
@@ -19,13 +19,13 @@ const NUMBER_PIXELS = 15;
 export function forceFigure(trace, theme, size) {
   const { time, normal_force: normalForce, episodes, contact_duration: duration } = trace;
   const reach = Math.max(USUAL_REACH, 1.05 * largest(normalForce));
-  const plotHeight = Math.max(1, size.height - TRACE_MARGIN.t - TRACE_MARGIN.b);
-  const plotWidth = Math.max(1, size.width - TRACE_MARGIN.l - TRACE_MARGIN.r);
+  const { unit } = theme;
+  const inner = innerSize(size, TRACE_MARGIN, theme);
   // The ribbon takes its pixels above the forces, whatever the height of the plot.
-  const perPixel = (2 * reach) / Math.max(1, plotHeight - RIBBON_PIXELS);
-  const top = reach + RIBBON_PIXELS * perPixel;
-  const pixelsPerTime = plotWidth / duration;
-  const ribbon = { base: reach + perPixel, top: top - perPixel };
+  const perPixel = (2 * reach) / Math.max(1, inner.height - unit * RIBBON_PIXELS);
+  const top = reach + unit * RIBBON_PIXELS * perPixel;
+  const pixelsPerTime = inner.width / duration;
+  const ribbon = { base: reach + unit * perPixel, top: top - unit * perPixel };
   return {
     data: [
       regimeBars(episodes, { base: -reach, top: reach }, ribbon, pixelsPerTime, theme),
@@ -36,7 +36,7 @@ export function forceFigure(trace, theme, size) {
         mode: "lines",
         x: time,
         y: trace.tangential_force_over_mu,
-        line: { width: 2.25, color: theme.tangentialForce },
+        line: { width: 2.25 * unit, color: theme.tangentialForce },
       },
       switchNumbers(trace.switch_times, duration, (reach + top) / 2, pixelsPerTime, theme),
     ],
@@ -75,7 +75,7 @@ function envelope(time, normalForce, theme) {
     mode: "lines",
     x,
     y,
-    line: { width: 1.25, color: theme.normalForce, dash: "5px,4px" },
+    line: { width: 1.25 * theme.unit, color: theme.normalForce, dash: "5px,4px" },
   };
 }
 
@@ -89,7 +89,8 @@ function envelope(time, normalForce, theme) {
  * @param {import("./theme.js").Theme} theme
  */
 function switchNumbers(times, duration, height, pixelsPerTime, theme) {
-  const x = spreadApart(times, NUMBER_PIXELS / pixelsPerTime, 0, duration) ?? [];
+  const pixels = theme.unit * NUMBER_PIXELS;
+  const x = spreadApart(times, pixels / pixelsPerTime, 0, duration) ?? [];
   return {
     name: "switches",
     type: "scatter",
@@ -97,11 +98,11 @@ function switchNumbers(times, duration, height, pixelsPerTime, theme) {
     x,
     y: x.map(() => height),
     text: x.map((_, i) => String(i + 1)),
-    textfont: { size: x.length > 9 ? 9 : 10, color: theme.ink },
+    textfont: { size: theme.unit * (x.length > 9 ? 9 : 10), color: theme.ink },
     marker: {
-      size: NUMBER_PIXELS,
+      size: pixels,
       color: theme.paper,
-      line: { width: 1.25, color: theme.ink },
+      line: { width: 1.25 * theme.unit, color: theme.ink },
     },
     cliponaxis: false,
   };

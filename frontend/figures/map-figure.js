@@ -39,11 +39,19 @@ export function mapFigure({ grid, view, quantity }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, view.kappa, view.scale),
-        title: { text: PLOT_SYMBOLS.kappa, standoff: 6, font: { size: 14, color: theme.ink } },
+        title: {
+          text: PLOT_SYMBOLS.kappa,
+          standoff: 6 * theme.unit,
+          font: { size: 14 * theme.unit, color: theme.ink },
+        },
       },
       yaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),
-        title: { text: PLOT_SYMBOLS.gt_over_gn, standoff: 2, font: { size: 14, color: theme.ink } },
+        title: {
+          text: PLOT_SYMBOLS.gt_over_gn,
+          standoff: 2 * theme.unit,
+          font: { size: 14 * theme.unit, color: theme.ink },
+        },
       },
     },
   };

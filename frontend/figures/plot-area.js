@@ -6,9 +6,22 @@
  * @typedef {{data: Record<string, any>[], layout: Record<string, any>}} Figure
  */
 
-/** Margins are fixed, so that whoever lays something over a plot knows where its axes are. */
+/** Margins are fixed, so that whoever lays something over a plot knows where its axes are: in pixels of the design. */
 export const TRACE_MARGIN = { l: 40, r: 14, t: 6, b: 34 };
 export const MAP_MARGIN = { l: 46, r: 16, t: 8, b: 42 };
+
+/**
+ * Width and height between the axes.
+ * @param {Size} size
+ * @param {{l: number, r: number, t: number, b: number}} margin
+ * @param {Theme} theme
+ */
+export function innerSize({ width, height }, { l, r, t, b }, { unit }) {
+  return {
+    width: Math.max(1, width - unit * (l + r)),
+    height: Math.max(1, height - unit * (t + b)),
+  };
+}
 
 /**
  * What all plots of the page have in common.
@@ -20,7 +33,13 @@ export function baseLayout(theme, { width, height }, margin) {
   return {
     width,
     height,
-    margin: { ...margin, pad: 0 },
+    margin: {
+      l: theme.unit * margin.l,
+      r: theme.unit * margin.r,
+      t: theme.unit * margin.t,
+      b: theme.unit * margin.b,
+      pad: 0,
+    },
     autosize: false,
     showlegend: false,
     hovermode: false,
@@ -28,7 +47,7 @@ export function baseLayout(theme, { width, height }, margin) {
     barmode: "overlay",
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
-    font: { family: theme.sans, size: 12, color: theme.inkSoft },
+    font: { family: theme.sans, size: 12 * theme.unit, color: theme.inkSoft },
   };
 }
 
@@ -51,7 +70,7 @@ export function plainAxis(theme, range, tickvals, ticktext) {
     tickvals,
     ticktext,
     ticks: "outside",
-    ticklen: 4,
+    ticklen: 4 * theme.unit,
     tickwidth: 1,
     tickcolor: theme.ruleStrong,
     automargin: false,
@@ -72,6 +91,10 @@ export function timeAxis(theme, contactDuration) {
   const ticks = Array.from({ length: Math.floor(contactDuration / step) + 1 }, (_, i) => i * step);
   return {
     ...plainAxis(theme, [0, END_INCLUDED * contactDuration], ticks, ticks.map(String)),
-    title: { text: "time <i>t</i>, scaled", standoff: 4, font: { size: 12 } },
+    title: {
+      text: "time <i>t</i>, scaled",
+      standoff: 4 * theme.unit,
+      font: { size: 12 * theme.unit },
+    },
   };
 }

@@ -46,7 +46,11 @@ export function regimeBars(episodes, shade, ribbon, pixelsPerTime, theme) {
   /** @type {{extent: Extent, colors: typeof solids, text: (episode: Episode) => string}[]} */
   const rows = [{ extent: shade, colors: shades, text: () => "" }];
   if (ribbon) {
-    rows.push({ extent: ribbon, colors: solids, text: (episode) => words(episode, pixelsPerTime) });
+    rows.push({
+      extent: ribbon,
+      colors: solids,
+      text: (episode) => words(episode, pixelsPerTime / theme.unit),
+    });
   }
   /** @param {(episode: Episode, row: (typeof rows)[number]) => any} read */
   const each = (read) => rows.flatMap((row) => episodes.map((episode) => read(episode, row)));
@@ -64,7 +68,7 @@ export function regimeBars(episodes, shade, ribbon, pixelsPerTime, theme) {
     text: each((episode, row) => row.text(episode)),
     textposition: "inside",
     insidetextanchor: "middle",
-    insidetextfont: { size: 11, color: theme.onRegime },
+    insidetextfont: { size: 11 * theme.unit, color: theme.onRegime },
     textangle: 0,
     constraintext: "none",
   };
@@ -72,7 +76,7 @@ export function regimeBars(episodes, shade, ribbon, pixelsPerTime, theme) {
 
 /**
  * @param {Episode} episode
- * @param {number} pixelsPerTime
+ * @param {number} pixelsPerTime of the design
  */
 function words(episode, pixelsPerTime) {
   const room = (episode.end - episode.start) * pixelsPerTime;

@@ -4,6 +4,7 @@
  * The colours and the type of the page, as a figure needs them.
  * @typedef {object} Theme
  * @property {boolean} dark
+ * @property {number} unit CSS pixels to one pixel of the design, more than one on a very large screen
  * @property {string} sans
  * @property {string} paper
  * @property {string} ink

@@ -1,8 +1,10 @@
 // @ts-check
 
 import { brief } from "../format/number.js";
-import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
 import { regimeBars } from "./regimes.js";
+
+const TURN_PIXELS = 14;
 
 /**
  * The tangential velocity of Fig. 6 over the contact, with its turns marked.
@@ -14,8 +16,9 @@ import { regimeBars } from "./regimes.js";
 export function velocityFigure(trace, theme, size) {
   const { time, tangential_velocity: velocity, contact_duration: duration } = trace;
   const reach = roundedUp(Math.abs(velocity[0]));
+  const { unit } = theme;
   const last = time.length - 1;
-  const turns = zeroCrossings(time, velocity);
+  const turns = turnsShown(trace, innerSize(size, TRACE_MARGIN, theme).width / unit);
   // Most collisions come back slowly: half of the axis below zero is enough for them.
   const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
   return {
@@ -27,17 +30,19 @@ export function velocityFigure(trace, theme, size) {
         mode: "lines",
         x: time,
         y: velocity,
-        line: { width: 2.25, color: theme.velocity },
+        line: { width: 2.25 * unit, color: theme.velocity },
       },
       {
-        // Two turns between neighbouring samples are not seen here: better none than a wrong number.
         name: "turns",
         type: "scatter",
         mode: "markers",
-        ...(turns.length === trace.reversals
-          ? { x: turns, y: turns.map(() => 0) }
-          : { x: [], y: [] }),
-        marker: { size: 7, color: theme.paper, line: { width: 1.75, color: theme.velocity } },
+        x: turns,
+        y: turns.map(() => 0),
+        marker: {
+          size: 7 * unit,
+          color: theme.paper,
+          line: { width: 1.75 * unit, color: theme.velocity },
+        },
       },
       {
         name: "before and after",
@@ -45,7 +50,7 @@ export function velocityFigure(trace, theme, size) {
         mode: "markers",
         x: [time[0], time[last]],
         y: [velocity[0], velocity[last]],
-        marker: { size: 8, color: theme.velocity },
+        marker: { size: 8 * unit, color: theme.velocity },
         cliponaxis: false,
       },
     ],
@@ -78,6 +83,17 @@ function roundedUp(value) {
   const decade = 10 ** Math.floor(Math.log10(value));
   const step = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((factor) => factor * decade >= value) ?? 10;
   return Number((step * decade).toPrecision(2)) || value;
+}
+
+/**
+ * The instants at which the surfaces turn round, or none: where two lie between neighbouring samples
+ * the number would be wrong, and where they are many the marks would be a smear.
+ * @param {import("../api/client.js").Trace} trace
+ * @param {number} width of the plot in pixels of the design
+ */
+function turnsShown({ time, tangential_velocity: velocity, reversals }, width) {
+  const turns = zeroCrossings(time, velocity);
+  return turns.length === reversals && turns.length * TURN_PIXELS < width ? turns : [];
 }
 
 /**

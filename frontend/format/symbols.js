@@ -5,6 +5,8 @@ export const SYMBOLS = {
   kappa: "<var>κ</var>",
   mu_over_alpha: "<var>μ</var>\u2009/\u2009<var>α</var>",
   gt_over_gn: "<var>g</var><sub>t</sub>\u2009/\u2009<var>g</var><sub>n</sub>",
+  tangential_force_over_mu: "<var>F</var><sub>t</sub>\u2009/\u2009<var>μ</var>",
+  normal_force: "<var>F</var><sub>n</sub>",
 };
 
 /** The same for Plotly, which knows a few tags only. */

@@ -20,9 +20,10 @@ export function mountMap(element, { onPlace, onOption }) {
   const plot = createPlot(plotElement, mapFigure);
   const legend = createMapLegend(find(".map-legend", element));
   const crosshair = find(".crosshair", element);
+  const beyond = find(".beyond", crosshair);
   const { l, r, t, b } = MAP_MARGIN;
   for (const [name, value] of Object.entries({ left: l, right: r, top: t, bottom: b })) {
-    crosshair.style.setProperty(name, `${value}px`);
+    crosshair.style.setProperty(name, `${value / 16}rem`);
   }
   /** @type {Parameters<typeof mapFigure>[0] | null} */
   let shown = null;
@@ -76,8 +77,8 @@ export function mountMap(element, { onPlace, onOption }) {
       const { x, y, outside } = placeOnMap(shown.view, present);
       crosshair.style.setProperty("--x", String(x));
       crosshair.style.setProperty("--y", String(1 - y));
-      crosshair.toggleAttribute("data-outside", outside);
       crosshair.toggleAttribute("data-placed", true);
+      beyond.hidden = !outside;
     }
   }
 

@@ -27,6 +27,10 @@ export function mountResultStrip(element) {
     show(trace, dragging) {
       summary.setAttribute("aria-busy", String(dragging));
       write(epsilon, significant(trace.epsilon_t));
+      epsilon.toggleAttribute(
+        "data-long",
+        Math.abs(trace.epsilon_t) < 1e-3 && trace.epsilon_t !== 0,
+      );
       epsilon.title = trace.convention;
       write(switches, count(trace.switches));
       write(reversals, count(trace.reversals));

@@ -7,6 +7,11 @@ const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 /** @type {import("../figures/theme.js").Theme | null} */
 let known = null;
 
+// Very large windows have larger type.
+addEventListener("resize", () => {
+  known = null;
+});
+
 /** The colours in force, read from the style sheet once for each scheme. */
 export function currentTheme() {
   if (!known) {
@@ -15,7 +20,8 @@ export function currentTheme() {
       name,
       style.getPropertyValue(property).trim(),
     ]);
-    known = { dark: darkScheme.matches, ...Object.fromEntries(values) };
+    const unit = Number.parseFloat(style.fontSize) / 16;
+    known = { dark: darkScheme.matches, unit, ...Object.fromEntries(values) };
   }
   return /** @type {import("../figures/theme.js").Theme} */ (known);
 }

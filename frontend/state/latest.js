@@ -11,18 +11,22 @@
  * @param {(answer: Answer, wish: Wish) => void} options.onAnswer
  * @param {(error: unknown, wish: Wish) => void} options.onError
  * @param {number} [options.patience] in ms
+ * @param {number} [options.pause] in ms, the least between two starts
  */
-export function createLatest({ load, onAnswer, onError, patience = 2000 }) {
+export function createLatest({ load, onAnswer, onError, patience = 2000, pause = 0 }) {
   /** @type {{controller: AbortController, startedAt: number} | null} */
   let underWay = null;
   /** @type {{wish: Wish} | null} */
   let next = null;
-  let disposed = false;
+  let earliest = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
 
   /** @param {Wish} wish */
   async function start(wish) {
     const mine = { controller: new AbortController(), startedAt: performance.now() };
     underWay = mine;
+    earliest = mine.startedAt + pause;
     try {
       const answer = await load(wish, mine.controller.signal);
       if (underWay === mine) {
@@ -41,7 +45,14 @@ export function createLatest({ load, onAnswer, onError, patience = 2000 }) {
   }
 
   function startNext() {
-    if (next && !disposed) {
+    clearTimeout(timer);
+    if (!next || underWay) {
+      return;
+    }
+    const wait = earliest - performance.now();
+    if (wait > 0) {
+      timer = setTimeout(startNext, wait);
+    } else {
       const { wish } = next;
       next = null;
       start(wish);
@@ -60,13 +71,12 @@ export function createLatest({ load, onAnswer, onError, patience = 2000 }) {
       if (underWay && performance.now() - underWay.startedAt > patience) {
         giveUp();
       }
-      if (!underWay) {
-        startNext();
-      }
+      startNext();
     },
 
     dispose() {
-      disposed = true;
+      next = null;
+      clearTimeout(timer);
       giveUp();
     },
   };

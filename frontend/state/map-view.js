@@ -10,10 +10,13 @@ import { logScale, powerScale } from "./scales.js";
  * @property {import("./scales.js").Scale} gtOverGn
  */
 
-/** Where the paper's Figs. 3 and 4 are drawn, with κ as Eq. 24 has it. */
-const USUAL = {
-  linear: { kappa: [0.1, 70], gtOverGn: [0.01, 4] },
-  log: { kappa: [0.1, 1000], gtOverGn: [0.005, 5] },
+/**
+ * The usual axes, where the paper draws Figs. 3 and 4, and how far they may reach for a collision
+ * beyond them: on a linear axis of thousands there is nothing to see.
+ */
+const AXES = {
+  linear: { kappa: [0.1, 70], gtOverGn: [0.01, 4], reach: 10 },
+  log: { kappa: [0.1, 1000], gtOverGn: [0.005, 5], reach: 1e9 },
 };
 
 /**
@@ -24,11 +27,12 @@ const USUAL = {
  */
 export function mapView(collision, scale) {
   const make = scale === "log" ? logScale : linearScale;
-  const { kappa, gtOverGn } = USUAL[scale];
+  const { kappa, gtOverGn, reach } = AXES[scale];
+  const both = scale === "log";
   return {
     scale,
-    kappa: make(...reaching(kappa, collision.kappa, scale)),
-    gtOverGn: make(...reaching(gtOverGn, collision.gt_over_gn, scale)),
+    kappa: make(...reaching(kappa, collision.kappa, reach, both)),
+    gtOverGn: make(...reaching(gtOverGn, collision.gt_over_gn, reach, both)),
   };
 }
 
@@ -84,14 +88,14 @@ function linearScale(min, max) {
 /**
  * @param {number[]} usual
  * @param {number} value
- * @param {"linear" | "log"} scale
+ * @param {number} reach the factor by which an end may move out
+ * @param {boolean} both whether the lower end moves too
  * @returns {[number, number]}
  */
-function reaching([min, max], value, scale) {
-  const high = value > max ? stepAbove(value) : max;
-  // A logarithmic axis shows no zero, and one of 300 decades shows nothing: there the cross stands at the edge.
-  const low = scale === "log" && value < min && value > 1e-12 ? 1 / stepAbove(1 / value) : min;
-  return [low, Math.min(high, 1e12)];
+function reaching([min, max], value, reach, both) {
+  const high = value > max && value <= max * reach ? stepAbove(value) : max;
+  const low = both && value < min && value >= min / reach ? 1 / stepAbove(1 / value) : min;
+  return [low, high];
 }
 
 /** @param {number} value */
