@@ -1,0 +1,63 @@
+"""The documents stay true: their commands run, their links lead somewhere."""
+
+import json
+import re
+import shlex
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+README = (ROOT / "README.md").read_text()
+DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def test_python_example_runs_as_it_stands():
+    (example,) = re.findall(r"```python\n(.*?)```", README, re.DOTALL)
+    names: dict = {}
+    exec(example, names)  # noqa: S102 - the example is ours
+    import restitution  # noqa: PLC0415 - as the example does
+
+    result = restitution.epsilon_t(kappa=63, mu_over_alpha=1.4, gt_over_gn=1.358)
+    assert f"{float(result):.5f}"[:6] in example
+    assert names["trace"]["time"].size == 408
+
+
+@pytest.mark.parametrize("command", re.findall(r"^    (curl .*)$", README, re.MULTILINE))
+def test_curl_example_answers(command, server):
+    words = shlex.split(command.replace("http://127.0.0.1:8000", server))
+    done = subprocess.run([*words, "--silent", "--fail"], capture_output=True, check=True)
+    if "format=csv" in command:
+        assert done.stdout.startswith(b"time,compression")
+    else:
+        assert "epsilon_t" in json.loads(done.stdout)
+
+
+def test_make_targets_of_the_readme_exist():
+    makefile = (ROOT / "Makefile").read_text()
+    named = set(re.findall(r"(?:^    |`)make ([a-z]+)", README, re.MULTILINE))
+    assert {"serve", "test", "check", "bench", "verify", "help"} <= named
+    for target in named:
+        assert re.search(rf"^{target}:", makefile, re.MULTILINE), target
+
+
+def test_calls_of_the_readme_are_those_of_the_service(server):
+    import urllib.request  # noqa: PLC0415 - only here
+
+    with urllib.request.urlopen(f"{server}/openapi.json") as answer:
+        paths = {p.removeprefix("/api/v1") for p in json.load(answer)["paths"] if "/api/" in p}
+    (sentence,) = re.findall(r"^Calls: (.*?)\. Each", README, re.MULTILINE | re.DOTALL)
+    assert set(re.findall(r"`(/\w+)`", sentence)) == paths
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda p: p.name)
+def test_links_within_the_project_lead_somewhere(document):
+    for target in re.findall(r"\]\((?!https?://)([^)#]+)", document.read_text()):
+        assert (document.parent / target).exists(), target
+
+
+def test_no_document_names_a_machine_or_a_registry():
+    for document in DOCUMENTS:
+        found = re.search(r"/work/|/root/|pypi\.org|registry\.npmjs", document.read_text())
+        assert not found, (document.name, found)
