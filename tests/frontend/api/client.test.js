@@ -1,0 +1,82 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { decodeArrays } from "../../../frontend/api/arrays.js";
+import { createClient, Refused, Unreachable } from "../../../frontend/api/client.js";
+import { mapView } from "../../../frontend/state/map-view.js";
+
+const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+
+function encoded(dtype, numbers, shape) {
+  return { dtype, shape, bdata: Buffer.from(numbers.buffer).toString("base64") };
+}
+
+/** A client whose server gives one answer, and the URLs it was asked. */
+function clientOf(body, { status = 200, headers = {} } = {}) {
+  const asked = [];
+  const fetch = async (url) => {
+    asked.push(new URL(url, "http://here"));
+    return new Response(typeof body === "string" ? body : JSON.stringify(body), {
+      status,
+      headers,
+    });
+  };
+  return { asked, client: createClient({ fetch }) };
+}
+
+test("decodeArrays turns what is encoded into typed arrays and rows, and leaves the rest", () => {
+  const decoded = decodeArrays({
+    time: encoded("f8", Float64Array.of(0, 0.1, Math.PI), "3"),
+    switches: encoded("i4", Int32Array.of(0, 2, 4, 6, 8, 10), "2,3"),
+    summary: "slides",
+  });
+  assert.deepEqual(decoded, {
+    time: Float64Array.of(0, 0.1, Math.PI),
+    switches: [Int32Array.of(0, 2, 4), Int32Array.of(6, 8, 10)],
+    summary: "slides",
+  });
+});
+
+test("trace asks for the columns that are drawn, and reads the server's own time", async () => {
+  const { asked, client } = clientOf(
+    { time: encoded("f8", Float64Array.of(0, 1), "2"), epsilon_t: 0.5 },
+    { headers: { "server-timing": "compute;dur=0.46" } },
+  );
+  const trace = await client.trace(COLLISION);
+  assert.deepEqual(trace, { time: Float64Array.of(0, 1), epsilon_t: 0.5, milliseconds: 0.46 });
+  assert.equal(asked[0].pathname, "/api/v1/trace");
+  assert.deepEqual(Object.fromEntries(asked[0].searchParams), {
+    kappa: "63",
+    mu_over_alpha: "1.4",
+    gt_over_gn: "1.358",
+    samples: "300",
+    quantities: "time,normal_force,tangential_force_over_mu,tangential_velocity",
+    encoding: "base64",
+  });
+});
+
+test("map asks for the axes of the view", async () => {
+  const { asked, client } = clientOf({});
+  await client.map(1.4, mapView(COLLISION, "log"), { kappa: 80, gtOverGn: 60 });
+  assert.equal(
+    asked[0].search,
+    "?mu_over_alpha=1.4&kappa_min=0.1&kappa_max=1000&kappa_count=80&kappa_scale=log" +
+      "&gt_over_gn_min=0.005&gt_over_gn_max=5&gt_over_gn_count=60&gt_over_gn_scale=log&encoding=base64",
+  );
+});
+
+test("a refusal is told in the server's own words", async () => {
+  const { client } = clientOf({ detail: "too many switches" }, { status: 413 });
+  await assert.rejects(
+    client.trace(COLLISION),
+    (error) => error instanceof Refused && error.message === "too many switches",
+  );
+});
+
+test("a server that is busy, gone or breaks off may be asked again", async () => {
+  const gone = createClient({ fetch: () => Promise.reject(new TypeError("failed to fetch")) });
+  for (const client of [clientOf({}, { status: 503 }).client, clientOf('{"time":').client, gone]) {
+    await assert.rejects(client.trace(COLLISION), Unreachable);
+  }
+  assert.equal(await gone.isHealthy(), false);
+});

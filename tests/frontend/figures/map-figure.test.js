@@ -1,0 +1,93 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import {
+  restitutionColors,
+  restitutionPlace,
+  restitutionStops,
+  switchClasses,
+  switchStops,
+} from "../../../frontend/figures/color-scales.js";
+import { mapFigure, mostSwitches } from "../../../frontend/figures/map-figure.js";
+import { mapView } from "../../../frontend/state/map-view.js";
+import { luminance } from "../contrast.js";
+import { SIZE, THEME } from "../fixtures.js";
+
+const GRID = {
+  kappa: Float64Array.of(0.1, 35, 70),
+  gt_over_gn: Float64Array.of(0.01, 4),
+  epsilon_t: [Float64Array.of(-1, 0, 1), Float64Array.of(0.1, 0.2, 0.3)],
+  switches: [Int32Array.of(2, 8, 6), Int32Array.of(0, 0, 2)],
+};
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+
+function figure(quantity, scale) {
+  return mapFigure({ grid: GRID, view: mapView(AT, scale), quantity }, THEME, SIZE);
+}
+
+test("mapFigure shows the grid as it came, its first and last columns on the ends of the axis", () => {
+  const [{ z, x0, dx, y0, dy }] = figure("epsilon_t", "linear").data;
+  assert.equal(z, GRID.epsilon_t);
+  assert.deepEqual([x0, x0 + 2 * dx, y0, y0 + dy], [0, 1, 0, 1]);
+});
+
+test("mapFigure puts each tick where its value lies", () => {
+  for (const scale of ["linear", "log"]) {
+    const view = mapView(AT, scale);
+    const { tickvals, ticktext } = figure("epsilon_t", scale).layout.xaxis;
+    assert.ok(tickvals.length >= 4);
+    for (const [i, share] of tickvals.entries()) {
+      assert.ok(share >= -1e-12 && share <= 1 + 1e-12);
+      assert.ok(Math.abs(view.kappa.fromShare(share) / Number(ticktext[i]) - 1) < 1e-9);
+    }
+  }
+});
+
+test("mapFigure gives counts one colour for each pair of switches", () => {
+  const [{ zmin, zmax, colorscale }] = figure("switches", "linear").data;
+  const color = (count) => {
+    const share = (count - zmin) / (zmax - zmin);
+    return colorscale.findLast(([stop]) => stop <= share)[1];
+  };
+  const colors = [0, 2, 4, 6, 8].map(color);
+  assert.deepEqual(
+    colors,
+    switchClasses(8, false).map((one) => one.color),
+  );
+  assert.equal(new Set(colors).size, 5);
+  assert.equal(mostSwitches(GRID), 8);
+});
+
+test("switchClasses ends with one that says it holds more", () => {
+  const labels = switchClasses(120, false).map(({ label }) => label);
+  assert.deepEqual(labels, ["0", "2", "4", "6", "8", "10", "12", "14", "≥ 16"]);
+  assert.deepEqual(
+    switchStops(switchClasses(0, false)).map(([stop]) => stop),
+    [0, 1],
+  );
+});
+
+test("restitutionStops runs from −1 to 1, in order, with the page's colour at 0", () => {
+  for (const dark of [false, true]) {
+    const stops = restitutionStops(dark);
+    const colors = restitutionColors(dark);
+    assert.deepEqual(stops[0], [0, colors[0]]);
+    assert.deepEqual(stops.at(-1), [1, colors.at(-1)]);
+    assert.ok(stops.slice(1).every(([stop], i) => stop > stops[i][0]));
+    assert.equal(stops.find(([stop]) => stop === 0.5)[1], colors[4]);
+  }
+});
+
+test("the colours of ε_t tell its size by lightness alone, for those who see no hue", () => {
+  for (const dark of [false, true]) {
+    const light = restitutionColors(dark).map(luminance);
+    const away = (values) => values.map((value) => (dark ? value : -value));
+    for (const side of [away(light.slice(4)), away(light.slice(0, 5).reverse())]) {
+      assert.ok(side.slice(1).every((value, i) => value > side[i]));
+    }
+  }
+});
+
+test("restitutionPlace spreads the small values, and keeps the ends and the middle", () => {
+  assert.deepEqual([-1, 0, 0.25, 1].map(restitutionPlace), [0, 0.5, 0.75, 1]);
+});

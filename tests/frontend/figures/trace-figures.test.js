@@ -1,0 +1,89 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { forceFigure } from "../../../frontend/figures/force-figure.js";
+import { velocityFigure } from "../../../frontend/figures/velocity-figure.js";
+import { makeTrace, SIZE, THEME } from "../fixtures.js";
+
+function named(figure, name) {
+  return figure.data.find((trace) => trace.name === name);
+}
+
+test("forceFigure draws the force just as it came", () => {
+  const trace = makeTrace();
+  const line = named(forceFigure(trace, THEME, SIZE), "tangential force / mu");
+  assert.equal(line.x, trace.time);
+  assert.equal(line.y, trace.tangential_force_over_mu);
+});
+
+test("forceFigure draws the normal force on both sides of zero", () => {
+  const { x, y } = named(forceFigure(makeTrace(), THEME, SIZE), "plus and minus normal force");
+  assert.deepEqual([...x], [0, 1, 2, 3, 3, 2, 1, 0]);
+  assert.deepEqual([...y], [0, 1, 1, 0, -0, -1, -1, -0]);
+});
+
+test("forceFigure gives each episode its width and the colour of its regime", () => {
+  const bars = named(forceFigure(makeTrace(), THEME, SIZE), "regimes");
+  assert.deepEqual(bars.x, [0.5, 1.5, 2.5, 0.5, 1.5, 2.5]);
+  assert.deepEqual(bars.width, [1, 1, 1, 1, 1, 1]);
+  assert.deepEqual(bars.marker.color, [
+    "forward shade",
+    "rgba(0,0,0,0)",
+    "backward shade",
+    "forward solid",
+    "sticking solid",
+    "backward solid",
+  ]);
+  assert.deepEqual(bars.text, ["", "", "", "slides →", "sticks", "← slides"]);
+});
+
+test("forceFigure writes nothing on a piece of ribbon that is too short", () => {
+  const bars = named(forceFigure(makeTrace(), THEME, { width: 120, height: 400 }), "regimes");
+  assert.deepEqual(new Set(bars.text), new Set([""]));
+});
+
+test("forceFigure numbers the switches from 1", () => {
+  const switches = named(forceFigure(makeTrace(), THEME, SIZE), "switches");
+  assert.deepEqual(switches.x, [1, 2]);
+  assert.deepEqual(switches.text, ["1", "2"]);
+});
+
+test("forceFigure leaves out the numbers of switches that would cover one another", () => {
+  const times = Float64Array.from({ length: 100 }, (_, i) => 0.03 * i);
+  const figure = forceFigure(makeTrace({ switch_times: times }), THEME, SIZE);
+  assert.deepEqual(named(figure, "switches").text, []);
+});
+
+test("forceFigure keeps its axes from one collision to the next, unless a force goes beyond", () => {
+  const range = (trace) => forceFigure(trace, THEME, SIZE).layout.yaxis.range;
+  const other = makeTrace({ normal_force: Float64Array.of(0, 1.1, 1.14, 0) });
+  assert.deepEqual(range(makeTrace()), range(other));
+  const strong = makeTrace({ normal_force: Float64Array.of(0, 2, 1, 0) });
+  assert.ok(range(strong)[0] < -2);
+});
+
+test("velocityFigure marks the turns where the velocity passes zero", () => {
+  const turns = named(velocityFigure(makeTrace(), THEME, SIZE), "turns");
+  assert.deepEqual(turns.x, [1.5]);
+});
+
+test("velocityFigure marks no turns rather than too few", () => {
+  const turns = named(velocityFigure(makeTrace({ reversals: 3 }), THEME, SIZE), "turns");
+  assert.deepEqual(turns.x, []);
+});
+
+test("velocityFigure holds the whole motion in its axis, for every size of it", () => {
+  for (const scale of [5e-324, 1e-9, 0.3, 1, 7.5, 1e300]) {
+    const velocity = Float64Array.of(1.2, 0.4, -0.4, -1.2).map((value) => value * scale);
+    const figure = velocityFigure(makeTrace({ tangential_velocity: velocity }), THEME, SIZE);
+    const [low, high] = figure.layout.yaxis.range;
+    assert.ok(low <= Math.min(...velocity) && high >= Math.max(...velocity), `at ${scale}`);
+    assert.ok(low < high, `at ${scale}`);
+  }
+});
+
+test("velocityFigure draws a sphere without tangential velocity", () => {
+  const still = makeTrace({ tangential_velocity: new Float64Array(4), reversals: 0 });
+  const [low, high] = velocityFigure(still, THEME, SIZE).layout.yaxis.range;
+  assert.ok(low < 0 && high > 0);
+});

@@ -1,0 +1,65 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import {
+  PARAMETERS,
+  parseParameter,
+  SLIDER_STEPS,
+  sliderStep,
+  valueAtStep,
+} from "../../../frontend/state/parameters.js";
+import { logScale, powerScale } from "../../../frontend/state/scales.js";
+import { spreadNumbers } from "../random.js";
+
+const [kappa, muOverAlpha, gtOverGn] = PARAMETERS;
+
+test("scales lead from a value to its share and back", () => {
+  for (const scale of [logScale(0.1, 1000), powerScale(0, 4, 1), powerScale(0, 4, 0.5)]) {
+    for (const value of spreadNumbers(4, 100, 0.2, 3.9)) {
+      assert.ok(Math.abs(scale.fromShare(scale.toShare(value)) / value - 1) < 1e-12);
+    }
+    assert.ok(Math.abs(scale.toShare(scale.min)) < 1e-15);
+    assert.equal(scale.toShare(scale.max), 1);
+  }
+});
+
+test("valueAtStep gives at every step of a slider a value the parameter admits, and ever greater ones", () => {
+  for (const parameter of PARAMETERS) {
+    const values = Array.from({ length: SLIDER_STEPS + 1 }, (_, i) => valueAtStep(parameter, i));
+    assert.ok(values.every(parameter.admits), parameter.key);
+    assert.ok(
+      values.every((value, i) => i === 0 || value > values[i - 1]),
+      parameter.key,
+    );
+  }
+});
+
+test("sliderStep finds the step a value came from", () => {
+  for (const parameter of PARAMETERS) {
+    for (let step = 0; step <= SLIDER_STEPS; step += 1) {
+      assert.equal(sliderStep(parameter, valueAtStep(parameter, step)), step);
+    }
+  }
+});
+
+test("sliderStep puts a value beyond the slider at its end", () => {
+  assert.equal(sliderStep(kappa, 37204), SLIDER_STEPS);
+  assert.equal(sliderStep(kappa, 5e-324), 0);
+});
+
+test("parseParameter reads what people type", () => {
+  const typed = ["63", " 1e3 ", "+.5", "0,5", "5e-324"];
+  assert.deepEqual(
+    typed.map((text) => parseParameter(kappa, text)),
+    [63, 1000, 0.5, 0.5, 5e-324],
+  );
+});
+
+test("parseParameter refuses what is no number or out of bounds", () => {
+  const wrong = ["", "abc", "NaN", "Infinity", "1e999", "0x10", "1 2", "1_0", "--1", "<b>1</b>"];
+  for (const text of [...wrong, "0", "-1", "\u22121"]) {
+    assert.equal(parseParameter(kappa, text), null, text);
+  }
+  assert.equal(parseParameter(muOverAlpha, "0"), 0);
+  assert.equal(parseParameter(gtOverGn, "-0.1"), null);
+});

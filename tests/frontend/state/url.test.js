@@ -1,0 +1,46 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
+import { readAddress, writeAddress } from "../../../frontend/state/url.js";
+import { spreadNumbers } from "../random.js";
+
+test("readAddress gives back exactly the state that writeAddress wrote", () => {
+  const numbers = spreadNumbers(5, 300, 1e-300, 1e300);
+  for (let i = 0; i < numbers.length; i += 3) {
+    const [kappa, mu_over_alpha, gt_over_gn] = numbers.slice(i, i + 3);
+    const state = {
+      collision: { kappa, mu_over_alpha, gt_over_gn },
+      map: i % 2 ? "epsilon_t" : "switches",
+      scale: i % 4 > 1 ? "linear" : "log",
+    };
+    assert.deepEqual(readAddress(writeAddress(state)), { state, problems: [] });
+  }
+});
+
+test("readAddress of nothing is the usual state, without complaint", () => {
+  const { state, problems } = readAddress("");
+  assert.deepEqual(state, { collision: INITIAL_COLLISION, map: "epsilon_t", scale: "linear" });
+  assert.deepEqual(problems, []);
+});
+
+test("readAddress replaces nonsense by the usual value and names each piece of it", () => {
+  const { state, problems } = readAddress(
+    "?kappa=-3&mu_over_alpha=1e999&gt_over_gn=0.5&map=%3Cscript%3E&scale=log",
+  );
+  assert.deepEqual(state, {
+    collision: { ...INITIAL_COLLISION, gt_over_gn: 0.5 },
+    map: "epsilon_t",
+    scale: "log",
+  });
+  assert.deepEqual(problems, [
+    "κ must be a number greater than 0, not “-3”",
+    "μ/α must be a number, 0 or greater, not “1e999”",
+    "map must be epsilon_t or switches, not “<script>”",
+  ]);
+});
+
+test("readAddress repeats only the beginning of a very long piece of nonsense", () => {
+  const [problem] = readAddress(`?kappa=${"x".repeat(10_000)}`).problems;
+  assert.ok(problem.length < 100);
+});

@@ -1,0 +1,52 @@
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { THEME_PROPERTIES } from "../../frontend/figures/theme.js";
+import { contrast } from "./contrast.js";
+
+const [light, dark] = readFileSync(
+  new URL("../../frontend/styles/tokens.css", import.meta.url),
+  "utf8",
+)
+  .split("@media (prefers-color-scheme: dark)")
+  .map((part) =>
+    Object.fromEntries([...part.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map((m) => m.slice(1))),
+  );
+
+const schemes = { light, dark: { ...light, ...dark } };
+
+for (const [name, token] of Object.entries(schemes)) {
+  test(`text has the contrast of WCAG AA on its ground, ${name}`, () => {
+    for (const [ink, ground] of [
+      ["--ink", "--paper"],
+      ["--ink-soft", "--paper"],
+      ["--ink-soft", "--surface"],
+      ["--ink-soft", "--well"],
+      ["--warning", "--warning-paper"],
+      ["--warning", "--paper"],
+      ["--on-regime", "--sliding"],
+      ["--on-regime", "--sliding-back"],
+      ["--on-regime", "--sticking"],
+    ]) {
+      assert.ok(contrast(token[ink], token[ground]) >= 4.5, `${ink} on ${ground}`);
+    }
+  });
+
+  test(`lines and edges have the contrast of WCAG AA for graphics, ${name}`, () => {
+    for (const line of [
+      "--tangential-force",
+      "--normal-force",
+      "--velocity",
+      "--rule-strong",
+      "--focus",
+    ]) {
+      assert.ok(contrast(token[line], token["--paper"]) >= 3, line);
+    }
+  });
+}
+
+test("the dark scheme has a colour of its own for everything that a figure draws", () => {
+  const shared = Object.values(THEME_PROPERTIES).filter((property) => !(property in dark));
+  assert.deepEqual(shared, ["--sans"]);
+});
