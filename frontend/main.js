@@ -70,10 +70,9 @@ const controls = PARAMETERS.map((parameter) => ({
   ),
 }));
 
-const traces = createLatest({
-  load: (/** @type {{collision: Collision, change: Change}} */ { collision }, signal) =>
-    client.trace(collision, signal),
-  onAnswer: showTrace,
+const collisions = createLatest({
+  load: loadCollision,
+  onAnswer: showCollision,
   onError: explain,
 });
 
@@ -115,7 +114,7 @@ store.subscribe((state, previous, change) => {
   if (state.map !== previous.map && shownMap) {
     map.show({ ...shownMap, quantity: state.map });
   }
-  askForTrace(change);
+  askForCollision(change);
   if (!change.dragging) {
     askForMap(FULL_MAP);
   }
@@ -146,15 +145,15 @@ function showState(state) {
 
 function loadAll() {
   askedMap = null;
-  askForTrace({ dragging: false, inputTimeStamp: performance.now() });
+  askForCollision({ dragging: false, inputTimeStamp: performance.now() });
   askForMap(FULL_MAP);
   loadPresets();
 }
 
 /** @param {Change} change */
-function askForTrace(change) {
+function askForCollision(change) {
   if (!connection.isLost()) {
-    traces.request({ collision: store.get().collision, change });
+    collisions.request({ collision: store.get().collision, change });
   }
 }
 
@@ -190,21 +189,49 @@ async function loadPresets() {
 }
 
 /**
- * The force trace and the strip first; what can wait a frame, after it.
- * @param {import("./api/client.js").Trace} trace
+ * The collision with its trace, or, where it switches too often for a picture, without.
+ * @param {{collision: Collision, change: Change}} wish
+ * @param {AbortSignal} signal
+ */
+async function loadCollision({ collision }, signal) {
+  try {
+    const trace = await client.trace(collision, signal);
+    return { result: trace, trace, reason: "" };
+  } catch (error) {
+    if (!(error instanceof Refused)) {
+      throw error;
+    }
+    return {
+      result: await client.collision(collision, signal),
+      trace: null,
+      reason: error.message,
+    };
+  }
+}
+
+/**
+ * The strip and the force trace first; what can wait a frame, after them.
+ * @param {Awaited<ReturnType<typeof loadCollision>>} answer
  * @param {{change: Change}} wish
  */
-function showTrace(trace, { change }) {
-  strip.show(trace, change.dragging);
-  force.show(trace);
-  map.legend.point(trace);
-  timeCursor.show(trace);
+function showCollision({ result, trace, reason }, { change }) {
+  strip.show(result, change.dragging);
+  map.legend.point(result);
+  if (trace) {
+    force.show(trace);
+    timeCursor.show(trace);
+  } else {
+    force.withhold(`No picture of this one: ${reason}`);
+    velocity.withhold("No picture of this one");
+  }
   afterNextFrame(() => {
     announcePainted("force-trace", change.inputTimeStamp);
-    velocity.show(trace);
+    if (trace) {
+      velocity.show(trace);
+    }
     if (change.dragging) {
       askForMap(QUICK_MAP);
-    } else {
+    } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);
     }

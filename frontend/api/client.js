@@ -3,13 +3,8 @@
 import { decodeArrays } from "./arrays.js";
 
 /**
- * What this page reads of an answer of `/trace`.
- * @typedef {object} Trace
- * @property {Float64Array} time
- * @property {Float64Array} normal_force
- * @property {Float64Array} tangential_force_over_mu
- * @property {Float64Array} tangential_velocity
- * @property {Float64Array} switch_times
+ * What this page reads of an answer of `/collision`.
+ * @typedef {object} CollisionAnswer
  * @property {Episode[]} episodes
  * @property {import("../state/parameters.js").Collision & {psi: number | null}} parameters
  * @property {number} epsilon_t
@@ -23,6 +18,12 @@ import { decodeArrays } from "./arrays.js";
  * @property {string} method
  * @property {number} error_bound
  * @property {number | null} milliseconds the server's own computing time
+ */
+
+/**
+ * What this page reads of an answer of `/trace`, its columns among it.
+ * @typedef {CollisionAnswer & Columns & {switch_times: Float64Array}} Trace
+ * @typedef {Record<"time" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity", Float64Array>} Columns
  */
 
 /** @typedef {{regime: "sliding" | "sticking", start: number, end: number, direction: number}} Episode */
@@ -74,6 +75,17 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
   }
 
   return {
+    /**
+     * @param {import("../state/parameters.js").Collision} collision
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<CollisionAnswer>}
+     */
+    async collision(collision, signal) {
+      const query = new URLSearchParams({ ...inWords(collision), episode_limit: "0" });
+      const { body, milliseconds } = await get(`${base}/collision?${query}`, signal);
+      return { ...body, milliseconds };
+    },
+
     /**
      * @param {import("../state/parameters.js").Collision} collision
      * @param {AbortSignal} [signal]

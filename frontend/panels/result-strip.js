@@ -21,28 +21,28 @@ export function mountResultStrip(element) {
 
   return {
     /**
-     * @param {import("../api/client.js").Trace} trace
+     * @param {import("../api/client.js").CollisionAnswer} result
      * @param {boolean} dragging a screen reader is told the sentence only when this is over
      */
-    show(trace, dragging) {
+    show(result, dragging) {
       summary.setAttribute("aria-busy", String(dragging));
-      write(epsilon, significant(trace.epsilon_t));
+      write(epsilon, significant(result.epsilon_t));
       epsilon.toggleAttribute(
         "data-long",
-        Math.abs(trace.epsilon_t) < 1e-3 && trace.epsilon_t !== 0,
+        Math.abs(result.epsilon_t) < 1e-3 && result.epsilon_t !== 0,
       );
-      epsilon.title = trace.convention;
-      write(switches, count(trace.switches));
-      write(reversals, count(trace.reversals));
-      write(energyLost, lostShare(trace.energy));
-      write(contactDuration, significant(trace.contact_duration));
-      write(psi, significant(trace.parameters.psi ?? Infinity));
-      write(summary, trace.summary);
+      epsilon.title = result.convention;
+      write(switches, count(result.switches));
+      write(reversals, count(result.reversals));
+      write(energyLost, lostShare(result.energy));
+      write(contactDuration, significant(result.contact_duration));
+      write(psi, significant(result.parameters.psi ?? Infinity));
+      write(summary, result.summary);
       write(
         provenance,
-        `${trace.method} ${errorBound(trace.error_bound)} · ${duration(trace.milliseconds)}`,
+        `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
       );
-      mark.style.setProperty("--place", String((trace.epsilon_t + 1) / 2));
+      mark.style.setProperty("--place", String((result.epsilon_t + 1) / 2));
     },
   };
 }

@@ -2,6 +2,7 @@
 
 import { forceFigure } from "../figures/force-figure.js";
 import { velocityFigure } from "../figures/velocity-figure.js";
+import { find } from "./find.js";
 import { createPlot } from "./plot.js";
 
 /**
@@ -9,9 +10,9 @@ import { createPlot } from "./plot.js";
  * @param {HTMLElement} element
  */
 export function mountForceTrace(element) {
-  const plot = createPlot(element, forceFigure);
+  const plot = createTracePlot(element, forceFigure);
   return {
-    show: plot.show,
+    ...plot,
     /** @param {import("../api/client.js").Trace} trace */
     describe(trace) {
       element.setAttribute(
@@ -19,7 +20,6 @@ export function mountForceTrace(element) {
         `Tangential force over μ between plus and minus the normal force, with ${trace.switches} switches. ${trace.summary}`,
       );
     },
-    unmount: plot.destroy,
   };
 }
 
@@ -28,9 +28,9 @@ export function mountForceTrace(element) {
  * @param {HTMLElement} element
  */
 export function mountVelocity(element) {
-  const plot = createPlot(element, velocityFigure);
+  const plot = createTracePlot(element, velocityFigure);
   return {
-    show: plot.show,
+    ...plot,
     /** @param {import("../api/client.js").Trace} trace */
     describe(trace) {
       const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
@@ -39,6 +39,34 @@ export function mountVelocity(element) {
         `Tangential velocity, from ${before} to ${after} in ${trace.reversals} turns.`,
       );
     },
+  };
+}
+
+/**
+ * A plot of a trace, or the reason why there is none.
+ * @param {HTMLElement} element
+ * @param {typeof forceFigure} makeFigure
+ */
+function createTracePlot(element, makeFigure) {
+  const plot = createPlot(element, makeFigure);
+  const stage = /** @type {HTMLElement} */ (element.parentElement);
+  const reasonLine = find(".withheld", stage);
+
+  /** @param {string} reason */
+  function tell(reason) {
+    stage.toggleAttribute("data-withheld", reason !== "");
+    reasonLine.textContent = reason;
+  }
+
+  return {
+    /** @param {import("../api/client.js").Trace} trace */
+    show(trace) {
+      if (stage.hasAttribute("data-withheld")) {
+        tell("");
+      }
+      plot.show(trace);
+    },
+    withhold: tell,
     unmount: plot.destroy,
   };
 }

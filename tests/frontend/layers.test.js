@@ -47,3 +47,12 @@ test("nothing is loaded from another host", () => {
     assert.doesNotMatch(source, /https?:\/\//, file);
   }
 });
+
+test("the page announces every module, so that none waits for another to be read", () => {
+  const page = readFileSync(new URL("index.html", ROOT), "utf8");
+  const announced = [...page.matchAll(/rel="modulepreload" href="\/static\/([^"]+)"/g)];
+  assert.deepEqual(
+    announced.map(([, file]) => file),
+    files.filter((file) => file !== "main.js").sort(),
+  );
+});
