@@ -1,0 +1,62 @@
+"""What tests do with the page: read its numbers, wait until it rests, ask the API beside it."""
+
+import json
+import time
+import urllib.parse
+import urllib.request
+
+from playwright.sync_api import Page
+
+SETTLED_SECONDS = 10
+
+PARAMETERS = {"kappa": "kappa", "mu-over-alpha": "mu_over_alpha", "gt-over-gn": "gt_over_gn"}
+
+SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+
+
+def text(page: Page, name: str) -> str:
+    return page.get_by_test_id(name).inner_text()
+
+
+def number(shown: str) -> float:
+    """The number that a typeset one stands for."""
+    mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
+    return float(mantissa) * 10.0 ** (int(power[2:].translate(SUPERSCRIPTS)) if power else 0)
+
+
+def collision_of(page: Page) -> dict[str, float]:
+    """The parameters that the address bar holds."""
+    query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
+    return {name: float(query[name][0]) for name in PARAMETERS.values()}
+
+
+def ask(server: str, call: str, **parameters: object) -> dict:
+    query = urllib.parse.urlencode(parameters)
+    with urllib.request.urlopen(f"{server}/api/v1/{call}?{query}") as answer:
+        return json.load(answer)
+
+
+def agrees(page: Page, server: str) -> bool:
+    """Whether the strip shows what the API answers to the address bar's collision."""
+    answer = ask(server, "collision", **collision_of(page))
+    return (
+        number(text(page, "epsilon-t")) == float(f"{answer['epsilon_t']:.4g}")
+        and text(page, "switches") == str(answer["switches"])
+        and text(page, "reversals") == str(answer["reversals"])
+        and text(page, "summary") == answer["summary"]
+    )
+
+
+def settle(page: Page, server: str) -> None:
+    """Wait until the page shows the truth about its own parameters."""
+    deadline = time.monotonic() + SETTLED_SECONDS
+    while not agrees(page, server):
+        assert time.monotonic() < deadline, f"{page.url} shows ε_t = {text(page, 'epsilon-t')}"
+        page.wait_for_timeout(50)
+
+
+def trace_of(page: Page, name: str) -> list[dict]:
+    """The curves that Plotly has drawn, numbers as lists."""
+    return page.get_by_test_id(name).evaluate(
+        "plot => plot.data.map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
+    )

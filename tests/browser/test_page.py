@@ -1,0 +1,172 @@
+"""The page in a real browser beside a real server: it shows what the API answers."""
+
+import urllib.parse
+
+import numpy as np
+import pytest
+from explorer import PARAMETERS, agrees, ask, collision_of, settle, text, trace_of
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture
+def explorer(page: Page, server: str):
+    """The opened page; the test fails on any word in the console or request to elsewhere."""
+    words, strangers = [], []
+    page.on("console", lambda message: words.append(message.text))
+    page.on("pageerror", lambda error: words.append(str(error)))
+    page.on(
+        "request",
+        lambda r: None if r.url.startswith((server, "data:", "blob:")) else strangers.append(r.url),
+    )
+    page.goto("/")
+    settle(page, server)
+    yield page
+    assert words == []
+    assert strangers == []
+
+
+def test_the_phenomenon_is_on_the_screen_without_a_click(explorer, server):
+    answer = ask(server, "collision", **collision_of(explorer))
+    assert answer["switches"] >= 4
+    assert answer["reversals"] >= 2
+    for plot in ("force-trace", "velocity", "map"):
+        assert explorer.get_by_test_id(plot).locator("svg").count() > 0
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_dragging_a_slider_with_the_mouse_shows_the_collision_there(explorer, server, name):
+    before = collision_of(explorer)
+    box = explorer.get_by_test_id(f"{name}-slider").bounding_box()
+    y = box["y"] + box["height"] / 2
+    explorer.mouse.move(box["x"] + 0.5 * box["width"], y)
+    explorer.mouse.down()
+    for share in np.linspace(0.5, 0.3, 12):
+        explorer.mouse.move(box["x"] + share * box["width"], y)
+    explorer.mouse.up()
+    settle(explorer, server)
+    after = collision_of(explorer)
+    assert [k for k in after if after[k] != before[k]] == [PARAMETERS[name]]
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+def test_arrow_keys_move_a_slider(explorer, server, name):
+    before = collision_of(explorer)[PARAMETERS[name]]
+    explorer.get_by_test_id(f"{name}-slider").focus()
+    for _ in range(5):
+        explorer.keyboard.press("ArrowRight")
+    settle(explorer, server)
+    assert collision_of(explorer)[PARAMETERS[name]] > before
+    for _ in range(8):
+        explorer.keyboard.press("ArrowLeft")
+    settle(explorer, server)
+    assert collision_of(explorer)[PARAMETERS[name]] < before
+
+
+def test_a_click_on_the_map_moves_the_sliders_there(explorer, server):
+    box = explorer.get_by_test_id("map").bounding_box()
+    explorer.mouse.click(box["x"] + 0.45 * box["width"], box["y"] + 0.7 * box["height"])
+    settle(explorer, server)
+    first = collision_of(explorer)
+    explorer.mouse.click(box["x"] + 0.75 * box["width"], box["y"] + 0.3 * box["height"])
+    settle(explorer, server)
+    second = collision_of(explorer)
+    assert second["kappa"] > first["kappa"]
+    assert second["gt_over_gn"] > first["gt_over_gn"]
+    assert second["mu_over_alpha"] == first["mu_over_alpha"]
+    shown = float(explorer.get_by_test_id("kappa-field").input_value())
+    assert shown == pytest.approx(second["kappa"], rel=1e-5)
+
+
+def test_typed_numbers_count_and_nonsense_keeps_the_last_picture(explorer, server):
+    field = explorer.get_by_test_id("kappa-field")
+    field.fill("18")
+    field.press("Enter")
+    settle(explorer, server)
+    assert collision_of(explorer)["kappa"] == 18.0
+    before = text(explorer, "epsilon-t")
+    for nonsense in ("-1", "", "1e999", "spring", "NaN", "0"):
+        field.fill(nonsense)
+        assert "must be" in text(explorer, "kappa-problem"), nonsense
+        assert text(explorer, "epsilon-t") == before
+    field.blur()
+    assert field.input_value() == "18"
+
+
+def test_presets_show_what_they_are_named_after(explorer, server):
+    presets = {item["id"]: item for item in ask(server, "presets")["items"]}
+    for name in ("figure-5-a", "figure-5-g", "figure-6", "pure-sliding"):
+        preset = presets[name]
+        explorer.get_by_test_id("presets").locator(f"[data-preset='{name}']").click()
+        settle(explorer, server)
+        shown = collision_of(explorer)
+        assert shown == {key: preset[key] for key in shown}
+
+
+def test_the_force_trace_is_that_of_the_api(explorer, server):
+    answer = ask(server, "trace", **collision_of(explorer), samples=2000)
+    curves = trace_of(explorer, "force-trace")
+    found = [
+        np.abs(np.interp(c["x"], answer["time"], answer["tangential_force_over_mu"]) - c["y"]).max()
+        for c in curves
+        if len(c["x"]) > 100
+    ]
+    # the page draws fewer samples: linear interpolation of a curve with kinks at its switches
+    assert min(found) < 1e-3, found
+
+
+def test_the_map_is_that_of_the_api(explorer, server):
+    with explorer.expect_request("**/api/v1/map?*") as asked:
+        explorer.get_by_test_id("mu-over-alpha-field").fill("0.9")
+        explorer.keyboard.press("Enter")
+    settle(explorer, server)
+    explorer.wait_for_timeout(500)
+    query = dict(urllib.parse.parse_qsl(urllib.parse.urlsplit(asked.value.url).query))
+    answer = ask(server, "map", **(query | {"encoding": "plain"}))
+    cells = "m => m.data.find((t) => t.z).z.map((row) => [...row])"
+    drawn = explorer.get_by_test_id("map").evaluate(cells)
+    np.testing.assert_array_equal(drawn, answer["epsilon_t"])
+    explorer.get_by_role("radio", name="switches").check()
+    drawn = explorer.get_by_test_id("map").evaluate(cells)
+    np.testing.assert_array_equal(drawn, answer["switches"])
+
+
+def test_the_address_holds_the_state_and_back_returns_to_it(explorer, server):
+    first = collision_of(explorer)
+    explorer.get_by_test_id("presets").locator("[data-preset='figure-6']").click()
+    settle(explorer, server)
+    explorer.reload()
+    settle(explorer, server)
+    assert collision_of(explorer)["kappa"] == 100.0
+    explorer.go_back()
+    settle(explorer, server)
+    assert collision_of(explorer) == first
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        "?kappa=-1&mu_over_alpha=NaN&gt_over_gn=1e999",
+        "?kappa=%3Cscript%3Ealert(1)%3C/script%3E&map=%00&scale=%F0%9F%98%80",
+        "?kappa=5e-324&mu_over_alpha=1.7e308&gt_over_gn=5e-324",
+    ],
+)
+def test_nonsense_in_the_address_ends_in_a_working_page(explorer, server, address):
+    explorer.goto(f"/{address}")
+    settle(explorer, server)
+    assert agrees(explorer, server)
+
+
+def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, server: str):
+    page.goto("/")
+    settle(page, server)
+    before = text(page, "epsilon-t")
+    page.route("**/api/**", lambda route: route.abort())
+    page.route("**/healthz", lambda route: route.abort())
+    page.get_by_test_id("kappa-slider").press("ArrowRight")
+    expect(page.get_by_test_id("banner")).to_contain_text("does not answer")
+    assert text(page, "epsilon-t") == before
+    page.unroute_all()
+    expect(page.get_by_test_id("banner")).to_be_empty(timeout=15_000)
+    settle(page, server)
