@@ -36,7 +36,7 @@ export function forceFigure(trace, theme, size) {
         mode: "lines",
         x: time,
         y: trace.tangential_force_over_mu,
-        line: { width: 2.25 * unit, color: theme.tangentialForce },
+        line: { width: 2.25 * unit, color: theme.tangentialForce, simplify: false },
       },
       switchNumbers(trace.switch_times, duration, (reach + top) / 2, pixelsPerTime, theme),
     ],
@@ -75,7 +75,7 @@ function envelope(time, normalForce, theme) {
     mode: "lines",
     x,
     y,
-    line: { width: 1.25 * theme.unit, color: theme.normalForce, dash: "5px,4px" },
+    line: { width: 1.25 * theme.unit, color: theme.normalForce, dash: "5px,4px", simplify: false },
   };
 }
 

@@ -30,7 +30,7 @@ export function velocityFigure(trace, theme, size) {
         mode: "lines",
         x: time,
         y: velocity,
-        line: { width: 2.25 * unit, color: theme.velocity },
+        line: { width: 2.25 * unit, color: theme.velocity, simplify: false },
       },
       {
         name: "turns",
