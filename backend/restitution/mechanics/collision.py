@@ -41,8 +41,8 @@ WEAKEST = 1e-100
 The difference to the limit ψ → 0 is of order (ψκ^{5/4})^{2/3}: below 1e-16 for κ < 1e60. Raising
 a smaller ψ to this one keeps every intermediate quantity clear of underflow."""
 
-MOST_SWITCHES = 100_000
-"""Largest expected number of switches that is followed: about 20 ms of one core."""
+MOST_SWITCHES = 50_000
+"""Largest expected number of switches that is followed: about 10 ms of one core."""
 
 TOO_STIFF = -1
 """Stands for the number of switches of a collision that was not followed."""

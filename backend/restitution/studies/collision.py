@@ -1,6 +1,7 @@
 """One collision: what came out and how it went."""
 
 import functools
+import itertools
 from collections.abc import Collection
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
 from restitution.methods import planner
-from restitution.methods.answer import Options
+from restitution.methods.answer import Answer, Options
 from restitution.studies.parameters import CONVENTION, CollisionParameters
 from restitution.studies.summary import summarise
 
@@ -42,11 +43,12 @@ class Episode:
 
 @dataclass(frozen=True)
 class Energy:
-    """u²/2 + κz²/2 with u = g_t/g_n, before and after."""
+    """u²/2 + κz²/2 with u = g_t/g_n, before and after; the share lost is 1 − ε_t²."""
 
     initial: float
     final: float
     dissipated: float
+    dissipated_share: float
 
 
 @dataclass(frozen=True)
@@ -127,62 +129,92 @@ def study_collision(
     options = options or Options()
     wanted = frozenset(quantities)
     psi = parameters.psi
-    kappas, psis = np.array([parameters.kappa]), np.array([psi])
-    answer = planner.solve(kappas, psis, wanted, options)
+    answer = planner.solve(np.array([parameters.kappa]), np.array([psi]), wanted, options)
     epsilon_t = float(answer.epsilon_t[0])
-    method = str(answer.method[0])
-    counted = answer.switches is not None and answer.switches[0] != TOO_STIFF
-    exactly = method == "exact"
-    resting = psi == 0.0
-    path = followed_motion(parameters) if exactly and wanted & FROM_EPISODES else None
-    episodes = _episodes(path, resting=resting) if exactly and wanted & FROM_EPISODES else None
-    turns = reversals(path) if path else 0
+    exactly = answer.method[0] == "exact"
+    course = None
+    if exactly and wanted & FROM_EPISODES:
+        course = _course(parameters, 0 if "episodes" not in wanted else episode_limit)
+    switches, certain = _counted(answer)
     return CollisionStudy(
         parameters=parameters,
         epsilon_t=epsilon_t,
         epsilon_n=1.0,
-        switches=int(answer.switches[0]) if counted and "switches" in wanted else None,  # type: ignore[index]
-        switches_certain=bool(answer.switches_certain[0]) if counted else None,  # type: ignore[index]
-        reversals=turns if exactly and "reversals" in wanted else None,
+        switches=switches if "switches" in wanted else None,
+        switches_certain=certain,
+        reversals=course.reversals if course and "reversals" in wanted else None,
         contact_duration=CONTACT_DURATION,
-        episodes=episodes[:episode_limit]
-        if episodes is not None and "episodes" in wanted
-        else None,
-        episodes_truncated=episodes is not None and len(episodes) > episode_limit,
+        episodes=course.episodes if course and "episodes" in wanted else None,
+        episodes_truncated=bool(course and course.count > episode_limit),
         energy=_energy(parameters.gt_over_gn, epsilon_t) if "energy" in wanted else None,
         estimates=estimates(parameters.kappa, psi) if "estimates" in wanted else None,
-        sensitivity=(
-            _sensitivity(path, parameters.kappa, psi)
-            if exactly and "sensitivity" in wanted
-            else None
-        ),
-        summary=(
-            summarise(epsilon_t, episodes, turns, resting=resting) if "summary" in wanted else None
-        ),
-        limit=resting,
-        method=method,
+        sensitivity=course.sensitivity if course and "sensitivity" in wanted else None,
+        summary=_summary(epsilon_t, course, psi) if "summary" in wanted else None,
+        limit=psi == 0.0,
+        method=str(answer.method[0]),
         error_bound=float(answer.error_bound[0]),
         tolerance_met=bool(answer.error_bound[0] <= options.tolerance),
         convention=CONVENTION,
     )
 
 
-def _episodes(path: Motion | None, *, resting: bool) -> list[Episode]:
+def _counted(answer: Answer) -> tuple[int | None, bool | None]:
+    """Return the switches and whether they are certain; None where they were not counted."""
+    if answer.switches is None or answer.switches_certain is None:
+        return None, None
+    switches = int(answer.switches[0])
+    return (None, None) if switches == TOO_STIFF else (switches, bool(answer.switches_certain[0]))
+
+
+@dataclass(frozen=True)
+class _Course:
+    """What the episodes tell."""
+
+    count: int
+    first_end: float
+    reversals: int
+    sensitivity: Sensitivity
+    episodes: list[Episode]
+
+
+def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
+    """Return how the collision goes, with its first `episode_limit` episodes."""
+    path = followed_motion(parameters)
     if path is None:
-        if resting:
-            return [Episode("sticking", 0.0, CONTACT_DURATION, 0)]
-        return [Episode("sliding", 0.0, CONTACT_DURATION, 1)]
-    return [
-        Episode("sliding" if direction else "sticking", float(start), float(end), int(direction))
-        for start, end, direction in zip(path.start, path.end, path.direction, strict=True)
-    ]
+        resting = parameters.psi == 0.0
+        only = Episode(
+            "sticking" if resting else "sliding", 0.0, CONTACT_DURATION, int(not resting)
+        )
+        phase = np.sqrt(parameters.kappa) * CONTACT_DURATION if resting else 0.0
+        slope = Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)
+        return _Course(1, CONTACT_DURATION, 0, slope, [only][:episode_limit])
+    listed = zip(path.start, path.end, path.direction, strict=True)
+    return _Course(
+        path.switches + 1,
+        float(path.end[0]),
+        reversals(path),
+        Sensitivity(*sensitivity(path)),
+        [
+            Episode(
+                "sliding" if direction else "sticking", float(start), float(end), int(direction)
+            )
+            for start, end, direction in itertools.islice(listed, episode_limit)
+        ],
+    )
+
+
+def _summary(epsilon_t: float, course: _Course | None, psi: float) -> str:
+    if course is None:
+        return summarise(epsilon_t, None, 0.0, 0, resting=psi == 0.0)
+    share = course.first_end / CONTACT_DURATION
+    return summarise(epsilon_t, course.count - 1, share, course.reversals, resting=psi == 0.0)
 
 
 def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
+    lost = (1.0 - epsilon_t) * (1.0 + epsilon_t)
     with np.errstate(over="ignore", under="ignore"):
-        initial = 0.5 * np.float64(gt_over_gn) ** 2
-        kept = epsilon_t * epsilon_t
-        return Energy(float(initial), float(kept * initial), float((1.0 - kept) * initial))
+        initial = float(0.5 * np.float64(gt_over_gn) ** 2)
+    return Energy(initial, epsilon_t * epsilon_t * initial, lost * initial, lost)
 
 
 def estimates(kappa: float, psi: float) -> Estimates:
@@ -193,12 +225,3 @@ def estimates(kappa: float, psi: float) -> Estimates:
             float(limits.stiff_bound(kappa, psi)),
             float(limits.stiff_asymptote(kappa, psi)),
         )
-
-
-def _sensitivity(path: Motion | None, kappa: float, psi: float) -> Sensitivity:
-    if path is not None:
-        return Sensitivity(*sensitivity(path))
-    if psi > 0.0:
-        return Sensitivity(0.0, 0.0)
-    phase = np.sqrt(kappa) * CONTACT_DURATION
-    return Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)

@@ -1,16 +1,5 @@
 """One sentence about a collision, as a screen reader says it."""
 
-from collections.abc import Sequence
-from typing import Protocol
-
-from restitution.mechanics.hertz import CONTACT_DURATION
-
-
-class _Episode(Protocol):
-    @property
-    def end(self) -> float: ...
-
-
 _TIMES = {1: "once", 2: "twice"}
 
 _LAST_WORD = 0.995
@@ -33,7 +22,7 @@ def _outcome(epsilon_t: float) -> str:
 
 
 def summarise(
-    epsilon_t: float, episodes: Sequence[_Episode] | None, turns: int, *, resting: bool
+    epsilon_t: float, switches: int | None, first_slide: float, turns: int, *, resting: bool
 ) -> str:
     """Return how the collision went and what is left.
 
@@ -41,8 +30,10 @@ def summarise(
     ----------
     epsilon_t : float
         Coefficient of tangential restitution.
-    episodes : sequence, or None
-        Episodes with regime, start and end; None if they were not computed.
+    switches : int, or None
+        Changes of regime; None if they were not counted.
+    first_slide : float
+        Share of the contact until the first switch.
     turns : int
         Sign changes of the surface velocity.
     resting : bool
@@ -53,13 +44,12 @@ def summarise(
             "There is no tangential motion; ε_t is the limit of ever smaller tangential velocity."
         )
     outcome = _outcome(epsilon_t)
-    if episodes is None:
+    if switches is None:
         return f"{outcome[0].upper()}{outcome[1:]}."
-    if len(episodes) == 1:
+    if switches == 0:
         return f"Slides during the whole contact; {outcome}."
-    first = _percent(episodes[0].end / CONTACT_DURATION)
-    story = f"Slides {first} of the contact, sticks"
-    again = (len(episodes) - 3) // 2
+    story = f"Slides {_percent(first_slide)} of the contact, sticks"
+    again = switches // 2 - 1
     if again:
         story += f", slips and sticks {_TIMES.get(again, f'{again} times')} more"
     if turns:
