@@ -14,7 +14,7 @@ import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
-import { mapView, sameView } from "./state/map-view.js";
+import { createMapLoader } from "./state/map-loader.js";
 import { PARAMETERS } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
@@ -23,14 +23,7 @@ import { readAddress } from "./state/url.js";
  * @typedef {import("./state/url.js").PageState} PageState
  * @typedef {import("./state/store.js").Change} Change
  * @typedef {import("./state/parameters.js").Collision} Collision
- * @typedef {import("./state/map-view.js").MapView} MapView
- * @typedef {{muOverAlpha: number, view: MapView, counts: typeof FULL_MAP}} MapWish
  */
-
-/** Cells of the map: fewer while μ/α is dragged, for the trace goes first. */
-const FULL_MAP = { kappa: 240, gtOverGn: 180 };
-const QUICK_MAP = { kappa: 80, gtOverGn: 60 };
-const MAP_PAUSE = 80;
 
 const client = createClient();
 const { state: initialState, problems } = readAddress(location.search);
@@ -76,21 +69,17 @@ const collisions = createLatest({
   onError: explain,
 });
 
-const maps = createLatest({
-  load: (/** @type {MapWish} */ { muOverAlpha, view, counts }, signal) =>
-    client.map(muOverAlpha, view, counts, signal),
-  onAnswer: (grid, wish) => {
-    shownMap = { grid, view: wish.view };
-    map.show({ ...shownMap, quantity: store.get().map });
+const maps = createMapLoader({
+  load: ({ muOverAlpha, view, counts }, signal) => client.map(muOverAlpha, view, counts, signal),
+  onMap: (loaded) => {
+    shownMap = loaded;
+    map.show({ ...loaded, quantity: store.get().map });
   },
   onError: explain,
-  pause: MAP_PAUSE,
 });
 
-/** @type {{grid: import("./api/client.js").MapGrid, view: MapView} | null} */
+/** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
 let shownMap = null;
-/** @type {MapWish | null} */
-let askedMap = null;
 let presetsAreHere = false;
 
 const connection = createConnection({
@@ -105,24 +94,19 @@ const connection = createConnection({
 store.subscribe((state, previous, change) => {
   notice.clear();
   showState(state);
-  if (state.map !== previous.map || state.scale !== previous.scale) {
-    map.options(state);
-  }
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
   if (state.map !== previous.map && shownMap) {
     map.show({ ...shownMap, quantity: state.map });
   }
-  askForCollision(change);
-  if (!change.dragging) {
-    askForMap(FULL_MAP);
+  if (!connection.isLost()) {
+    ask(state, change);
   }
 });
 
 addressBar.correct(initialState);
 showState(initialState);
-map.options(initialState);
 loadAll();
 complain(problems);
 
@@ -140,39 +124,25 @@ function showState(state) {
     show(state.collision[key]);
   }
   map.point(state.collision);
+  map.options(state);
   presets.show(state.collision);
 }
 
 function loadAll() {
-  askedMap = null;
-  askForCollision({ dragging: false, inputTimeStamp: performance.now() });
-  askForMap(FULL_MAP);
+  maps.forget();
+  ask(store.get(), { dragging: false, inputTimeStamp: performance.now() });
   loadPresets();
 }
 
-/** @param {Change} change */
-function askForCollision(change) {
-  if (!connection.isLost()) {
-    collisions.request({ collision: store.get().collision, change });
-  }
-}
-
 /**
- * The map depends on μ/α and its axes alone; these follow a collision beyond them when a drag is over.
- * @param {typeof FULL_MAP} counts
+ * While dragging, the map is asked for only once the trace is on the screen.
+ * @param {PageState} state
+ * @param {Change} change
  */
-function askForMap(counts) {
-  const { collision, scale } = store.get();
-  const muOverAlpha = collision.mu_over_alpha;
-  const quick = counts === QUICK_MAP;
-  const view = quick && askedMap ? askedMap.view : mapView(collision, scale);
-  const isAsked =
-    askedMap?.muOverAlpha === muOverAlpha &&
-    sameView(askedMap.view, view) &&
-    (quick || askedMap.counts === counts);
-  if (!isAsked && !connection.isLost()) {
-    askedMap = { muOverAlpha, view, counts };
-    maps.request(askedMap);
+function ask(state, change) {
+  collisions.request({ collision: state.collision, change });
+  if (!change.dragging) {
+    maps.follow(state, false);
   }
 }
 
@@ -230,7 +200,7 @@ function showCollision({ result, trace, reason }, { change }) {
       velocity.show(trace);
     }
     if (change.dragging) {
-      askForMap(QUICK_MAP);
+      maps.follow(store.get(), true);
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);

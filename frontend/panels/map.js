@@ -31,6 +31,7 @@ export function mountMap(element, { onPlace, onOption }) {
   let present = null;
   /** @type {DOMRect | null} */
   let box = null;
+  let chosen = "";
 
   /**
    * @param {PointerEvent} event
@@ -103,10 +104,13 @@ export function mountMap(element, { onPlace, onOption }) {
 
     /** @param {{map: string, scale: string}} options */
     options({ map, scale }) {
+      if (`${map} ${scale}` === chosen) {
+        return;
+      }
+      chosen = `${map} ${scale}`;
       for (const [name, value] of Object.entries({ map, scale })) {
-        /** @type {HTMLInputElement} */ (
-          find(`[name="${name}"][value="${value}"]`, element)
-        ).checked = true;
+        const choice = find(`[name="${name}"][value="${value}"]`, element);
+        /** @type {HTMLInputElement} */ (choice).checked = true;
       }
     },
 

@@ -5,6 +5,9 @@ import { PLAIN_SYMBOLS, SYMBOLS } from "../format/symbols.js";
 import { parseParameter, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 import { find } from "./find.js";
 
+/** After so many ms without a key, a number is taken for typed. */
+const TYPING_PAUSE = 600;
+
 /**
  * A slider, a number field and a reset for one parameter.
  * @param {HTMLElement} parent
@@ -24,6 +27,8 @@ export function mountParameterControl(parent, parameter, onChange) {
   ];
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
   let value = parameter.initial;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let pause;
 
   root.dataset.parameter = hook;
   find("label", root).setAttribute("for", `${hook}-field`);
@@ -54,15 +59,13 @@ export function mountParameterControl(parent, parameter, onChange) {
   field.addEventListener("input", (event) => {
     const typed = parseParameter(parameter, field.value);
     tellProblem(typed === null);
+    clearTimeout(pause);
     if (typed !== null) {
       onChange(typed, { dragging: true, inputTimeStamp: event.timeStamp });
+      pause = setTimeout(settle, TYPING_PAUSE);
     }
   });
-  field.addEventListener("change", (event) => {
-    if (parseParameter(parameter, field.value) !== null) {
-      onChange(value, { dragging: false, inputTimeStamp: event.timeStamp });
-    }
-  });
+  field.addEventListener("change", settle);
   field.addEventListener("blur", () => {
     tellProblem(false);
     field.value = typable(value);
@@ -84,6 +87,12 @@ export function mountParameterControl(parent, parameter, onChange) {
     onChange(parameter.initial, { dragging: false, inputTimeStamp: event.timeStamp });
   });
 
+  /** What was typed stands: it need not be left for that. */
+  function settle() {
+    clearTimeout(pause);
+    onChange(value, { dragging: false, inputTimeStamp: performance.now() });
+  }
+
   /** @param {boolean} wrong */
   function tellProblem(wrong) {
     field.setAttribute("aria-invalid", String(wrong));
@@ -103,7 +112,10 @@ export function mountParameterControl(parent, parameter, onChange) {
         tellProblem(false);
       }
     },
-    unmount: () => root.remove(),
+    unmount() {
+      clearTimeout(pause);
+      root.remove();
+    },
   };
 }
 
