@@ -3,14 +3,19 @@
 import base64
 import binascii
 import json
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Collection
 from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 import orjson
 from fastapi import Request
 from starlette.exceptions import HTTPException
 
-from restitution.api.errors import refusal
+from restitution.api.errors import RefusedParametersError, refusal
 from restitution.mechanics.hertz import FloatArray
 
 MOST_ITEMS = 1_000_000
@@ -19,15 +24,30 @@ MOST_REFUSALS = 20
 """Elements of one list that are named in a refusal."""
 
 SHAPE = "a finite number, a list of them, or {dtype, shape, bdata}"
+TYPED = "typed as f8, f4 or i4, with base64 in bdata and a shape that fits"
 
 
-async def read_json(request: Request) -> dict[str, Any]:
+KEY = re.compile(rb'"(\w{1,32})"\s*:')
+
+Allowed = Callable[[FloatArray], npt.NDArray[np.bool_]]
+
+
+async def read_json(request: Request, names: Collection[str]) -> dict[str, Any]:
     """Return the JSON object in the body.
+
+    Parameters
+    ----------
+    request : Request
+        Not yet read.
+    names : collection of str
+        Names of parameters; giving one of them twice is refused.
 
     Raises
     ------
     HTTPException
         415 for another content type, 413 for too much, 400 for what is not a JSON object.
+    RefusedParametersError
+        If a parameter is repeated.
     """
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
@@ -43,19 +63,39 @@ async def read_json(request: Request) -> dict[str, Any]:
         value = _lenient(bytes(body))
     if not isinstance(value, dict):
         raise HTTPException(400, "the body must be a JSON object")
+    if errors := _repeated(bytes(body), names):
+        raise RefusedParametersError(errors)
     return value
 
 
-def _lenient(body: bytes) -> object:
+def _lenient(body: bytes, **hooks: Any) -> object:
     """Return what Python's own reader makes of `body`: it takes NaN, to be refused by name."""
     try:
-        return json.loads(body)
-    except (ValueError, RecursionError) as error:
+        # an integer too long for Python is infinite as a double
+        return json.loads(body, parse_int=lambda t: int(t) if len(t) < 400 else float(t), **hooks)
+    except RecursionError as error:
+        raise HTTPException(400, "the body is nested too deeply") from error
+    except ValueError as error:
         raise HTTPException(400, f"the body is not JSON: {error}") from error
 
 
+def _repeated(body: bytes, names: Collection[str]) -> list[dict[str, Any]]:
+    """Return the entries for `names` that the object in `body` gives more than once."""
+    counts = Counter(KEY.findall(body))
+    if not any(counts[name.encode()] > 1 for name in names):
+        return []
+    # rare: look again, with a reader that tells keys of this object from others
+    pairs: Any = _lenient(body, object_pairs_hook=list)
+    counts = Counter(name for name, _ in pairs)
+    return [
+        refusal(name, [value for key, value in pairs if key == name], "given once")
+        for name in names
+        if counts[name] > 1
+    ]
+
+
 def number_array(
-    name: str, value: object, requirement: str, *, positive: bool
+    name: str, value: object, requirement: str, allowed: Allowed
 ) -> tuple[FloatArray, list[dict[str, Any]]]:
     """Return the numbers of a parameter and what is wrong with them.
 
@@ -67,37 +107,34 @@ def number_array(
         As read from JSON.
     requirement : str
         What holds for each number.
-    positive : bool
-        Whether 0 is refused.
+    allowed : callable
+        Tells for finite numbers (N,) for which of them it does.
 
     Returns
     -------
     values : ndarray, shape () or (N,)
-        Empty if there are errors.
+        Of no use if there are errors.
     errors : list
         Entries of a refusal.
     """
-    nothing = np.empty(0)
+    nothing = np.array(np.nan)
     if value is None:
         return nothing, [refusal(name, None, SHAPE)]
     if isinstance(value, dict):
         decoded = _decoded(value)
         if decoded is None:
-            return nothing, [refusal(name, value, "typed as f8, f4 or i4, with fitting shape")]
+            return nothing, [refusal(name, value, TYPED)]
         values: FloatArray = decoded
     else:
         items = value if isinstance(value, list) else [value]
-        wrong = [i for i, item in enumerate(items) if type(item) not in (int, float)]
-        if wrong:
-            return nothing, [_bad(name, value, i, requirement) for i in wrong[:MOST_REFUSALS]]
-        values = _doubles(items)
+        values = _doubles([x if type(x) in (int, float) else math.nan for x in items])
         if not isinstance(value, list):
             values = values.reshape(())
-    allowed = np.isfinite(values) & ((values > 0.0) if positive else (values >= 0.0))
-    wrong = [int(i) for i in np.flatnonzero(~allowed)]
-    if isinstance(value, dict):
+    fits = np.isfinite(values) & allowed(values)
+    wrong = [int(i) for i in np.flatnonzero(~fits)[:MOST_REFUSALS]]
+    if isinstance(value, dict) and wrong:
         value = values.tolist()
-    return values, [_bad(name, value, i, requirement) for i in wrong[:MOST_REFUSALS]]
+    return values, [_bad(name, value, i, requirement) for i in wrong]
 
 
 def _doubles(items: list[Any]) -> FloatArray:
@@ -125,10 +162,12 @@ def _decoded(value: dict[str, Any]) -> FloatArray | None:
     dtype, shape, data = (value.get(key) for key in ("dtype", "shape", "bdata"))
     if value.keys() - {"dtype", "shape", "bdata"} or dtype not in ("f8", "f4", "i4"):
         return None
+    if not isinstance(data, str) or not isinstance(shape, str | int | None):
+        return None
     try:
-        raw = base64.b64decode(data or "", validate=True)
+        raw = base64.b64decode(data, validate=True)
         array = np.frombuffer(raw, f"<{dtype}").astype(np.float64)
-    except (binascii.Error, ValueError, TypeError):
+    except (binascii.Error, ValueError):
         return None
     fits = shape is None or str(shape) == str(array.size)
     return array if fits else None

@@ -2,6 +2,8 @@
 
 import http
 import math
+import reprlib
+from collections import Counter
 from typing import Any
 
 import orjson
@@ -9,11 +11,18 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 
+from restitution.api.ranges import cut_misfits, map_misfits
 from restitution.api.schemas import REQUIREMENTS
 from restitution.errors import CostError, ParameterError
 
 LONGEST_ECHO = 200
 """Characters of a refused value that are sent back."""
+
+MOST_ERRORS = 100
+"""Entries of a refusal; a refusal is for reading."""
+
+MISFITS = {"cut": cut_misfits, "map": map_misfits}
+"""Last part of an address → what its parameters must be beside each other."""
 
 
 class RefusedParametersError(Exception):
@@ -32,8 +41,17 @@ def as_received(value: object) -> object:
         return "NaN" if math.isnan(value) else ("Infinity" if value > 0 else "-Infinity")
     if isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**53):
         return value
-    text = value if isinstance(value, str) else repr(value)
+    text = value if isinstance(value, str) else _json_text(value)
     return text[:LONGEST_ECHO].encode("utf-8", "replace").decode()
+
+
+def _json_text(value: object) -> str:
+    """Return the JSON of a list or an object; Python's words for what JSON cannot hold."""
+    try:
+        return orjson.dumps(value).decode()
+    except TypeError:
+        # too deep, too large a number, or half a character
+        return reprlib.repr(value)
 
 
 def refusal(parameter: str, value: object, requirement: str) -> dict[str, Any]:
@@ -70,9 +88,11 @@ def refused(errors: list[dict[str, Any]]) -> Response:
     sentences = [
         f"{e['parameter']} must be {e['requirement']}, got "
         f"{'nothing' if e['value'] is None else e['value']}"
-        for e in errors
+        for e in errors[:MOST_ERRORS]
     ]
-    return problem(422, "; ".join(sentences), errors)
+    if len(errors) > MOST_ERRORS:
+        sentences.append(f"and {len(errors) - MOST_ERRORS:,} more are wrong")
+    return problem(422, "; ".join(sentences), errors[:MOST_ERRORS])
 
 
 def from_validation(found: list[Any]) -> list[dict[str, Any]]:
@@ -81,42 +101,49 @@ def from_validation(found: list[Any]) -> list[dict[str, Any]]:
     for error in found:
         where = [part for part in error["loc"] if part not in {"query", "body"}]
         name = str(where[0]) if where else ""
-        value = None if error["type"] == "missing" else error["input"]
+        element = len(where) > 1
         match error["type"]:
-            case "fixed":
-                name, value, requirement = error["msg"], None, "given, as `along` is the other one"
-            case "free":
-                name, requirement = error["msg"], "left out, as `along` names it"
-                value = error["input"].get(name)
-            case "extra_forbidden":
+            case "extra_forbidden" | "invalid_key":
                 requirement = "left out: this call has no such parameter"
             case "words":
                 requirement = f"a comma-separated choice of {error['ctx']['allowed']}"
             case _:
-                requirement = REQUIREMENTS.get(name, "as documented")
-        errors.append(refusal(name, value, requirement))
+                requirement = REQUIREMENTS.get(f"{name}[]" if element else name, error["msg"])
+        value = None if error["type"] == "missing" else error["input"]
+        errors.append(refusal(f"{name}[{where[1]}]" if element else name, value, requirement))
     return errors
 
 
 def repeated(request: Request) -> list[dict[str, Any]]:
     """Return the entries for parameters that a query gives more than once."""
-    names = [name for name, _ in request.query_params.multi_items()]
+    query = request.query_params
+    counts = Counter(name for name, _ in query.multi_items())
     return [
-        refusal(name, ", ".join(request.query_params.getlist(name)), "given once")
-        for name in dict.fromkeys(names)
-        if names.count(name) > 1
+        refusal(name, ", ".join(query.getlist(name)), "given once")
+        for name, count in counts.items()
+        if count > 1
     ]
 
 
-def refuse_repeated(request: Request) -> None:
-    """Raise if a query gives a parameter more than once."""
-    if errors := repeated(request):
+def misfits(request: Request) -> list[dict[str, Any]]:
+    """Return the entries for parameters of a query that do not suit each other."""
+    find = MISFITS.get(request.url.path.rpartition("/")[2])
+    query = request.query_params
+    return [refusal(name, query.get(name), text) for name, text in (find(query) if find else ())]
+
+
+def refuse_unsuited(request: Request) -> None:
+    """Raise if parameters of a query are repeated or do not suit each other."""
+    if errors := repeated(request) + misfits(request):
         raise RefusedParametersError(errors)
 
 
 def _validation(request: Request, error: Exception) -> Response:
     assert isinstance(error, RequestValidationError)
-    return refused(from_validation(list(error.errors())) + repeated(request))
+    errors = from_validation(list(error.errors()))
+    named = {e["parameter"] for e in errors}
+    others = [e for e in misfits(request) if e["parameter"] not in named]
+    return refused(errors + others + repeated(request))
 
 
 def _parameters(_: Request, error: Exception) -> Response:

@@ -14,11 +14,16 @@ import numpy.typing as npt
 import orjson
 from fastapi import Request, Response
 
-from restitution.api.schemas import Formed
+from restitution.api.errors import refuse_unsuited
+from restitution.api.schemas import Formed, NoQuery
 from restitution.mechanics.compiled import fingerprint
+from restitution.studies.collision import Energy, Estimates, Sensitivity
 
 PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
 """Changes with any source of the package, and so with any answer."""
+
+PARTS = {"energy": Energy, "estimates": Estimates, "sensitivity": Sensitivity}
+"""Keys whose values have keys of their own, and columns of a table even where they are null."""
 
 Payload = dict[str, Any]
 Table = Mapping[str, npt.NDArray[Any] | list[Any]]
@@ -32,8 +37,9 @@ class Result:
     table: Callable[[], Table]
 
 
-def respond(request: Request, query: Formed, compute: Callable[[], Result]) -> Response:
+def respond(request: Request, query: Formed | NoQuery, compute: Callable[[], Result]) -> Response:
     """Return the answer to `query` in its form, or 304 if the client has it already."""
+    refuse_unsuited(request)
     tag = entity_tag(request.url.path, query)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
     known = [
@@ -48,7 +54,7 @@ def respond(request: Request, query: Formed, compute: Callable[[], Result]) -> R
     return formed(result, query.format, query.encoding, headers)
 
 
-def entity_tag(path: str, query: Formed) -> str:
+def entity_tag(path: str, query: Formed | NoQuery) -> str:
     """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
     canonical = orjson.dumps(
         [PROGRAM_VERSION, path, query.model_dump()], option=orjson.OPT_SORT_KEYS
@@ -130,7 +136,11 @@ def flattened(payload: Payload, prefix: str = "") -> Payload:
     """Return `payload` with nested keys joined by dots, without the list of episodes."""
     flat: Payload = {}
     for name, value in payload.items():
-        if dataclasses.is_dataclass(value):
+        if value is None and name in PARTS:
+            flat |= {
+                f"{prefix}{name}.{part.name}": None for part in dataclasses.fields(PARTS[name])
+            }
+        elif dataclasses.is_dataclass(value):
             flat |= flattened(vars(value), f"{prefix}{name}.")
         elif isinstance(value, dict):
             flat |= flattened(value, f"{prefix}{name}.")

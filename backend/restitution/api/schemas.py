@@ -1,10 +1,18 @@
 """What a request may say: names, ranges, and the words in which a refusal states them."""
 
-from typing import Annotated, Any, Literal, Self
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    field_validator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
+from restitution.api.ranges import CUT
 from restitution.methods.answer import Options
 from restitution.methods.planner import METHODS
 from restitution.studies import batch, collision, trace
@@ -166,26 +174,21 @@ class CutQuery(Formed):
     scale: Annotated[Scale, stated("scale", "linear or log")] = "linear"
     quantities: BatchQuantities = "epsilon_t,switches"
 
-    @model_validator(mode="after")
-    def _one_is_free(self) -> Self:
-        given = {"kappa": self.kappa, "gt_over_gn": self.gt_over_gn}
-        if given.pop(self.along) is not None:
-            raise PydanticCustomError("free", self.along)
-        for name, value in given.items():
-            if value is None:
-                raise PydanticCustomError("fixed", name)
-        return self
+    @model_validator(mode="before")
+    @classmethod
+    def _fill_range(cls, given: dict[str, Any]) -> dict[str, Any]:
+        """Give the ends their defaults, which depend on `along`."""
+        if (along := given.get("along")) not in CUT:
+            return given
+        low, high = CUT[along].default
+        return {"minimum": low, "maximum": high} | given
 
     @property
     def axis(self) -> Axis:
         """The values along the cut."""
-        low, high = (0.01, 4.0) if self.along == "gt_over_gn" else (0.1, 70.0)
-        return Axis(
-            low if self.minimum is None else self.minimum,
-            high if self.maximum is None else self.maximum,
-            self.count,
-            self.scale,
-        )
+        assert self.minimum is not None
+        assert self.maximum is not None
+        return Axis(self.minimum, self.maximum, self.count, self.scale)
 
 
 def _edge(name: str, requirement: str) -> Any:
@@ -227,10 +230,34 @@ class MapQuery(Formed):
         )
 
 
+class NoQuery(BaseModel):
+    """A call without parameters."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    format: ClassVar = "json"
+    encoding: ClassVar = "plain"
+
+
+ManyQuantity = Literal["epsilon_t", "epsilon_n", "switches"]
+_MANY: tuple[ManyQuantity, ...] = get_args(ManyQuantity)
+REQUIREMENTS["quantities[]"] = f"one of {', '.join(_MANY)}"
+
+
 class CollisionsBody(Request):
     """``POST /collisions``, the scalar part; the parameters are arrays, see `arrays`."""
 
     quantities: Annotated[
-        list[Literal["epsilon_t", "epsilon_n", "switches"]],
-        Field(min_length=1, description="a list of epsilon_t, epsilon_n, switches"),
-    ] = ["epsilon_t", "epsilon_n", "switches"]
+        list[ManyQuantity],
+        stated("quantities", f"a list, not empty, of {', '.join(_MANY)}"),
+        # also keeps a list of a million words from being read to its end
+        Field(min_length=1, max_length=len(_MANY)),
+    ] = list(_MANY)
+
+    @field_validator("tolerance", "steps", "phase", "rtol", "floor", mode="before")
+    @classmethod
+    def _is_number(cls, value: object) -> object:
+        """Refuse texts and booleans, which a query cannot tell from numbers but JSON can."""
+        if isinstance(value, str | bool):
+            raise PydanticCustomError("number", "not a number")
+        return value

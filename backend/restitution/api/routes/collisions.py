@@ -4,17 +4,16 @@ import time
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import APIRouter, Depends, Query, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
 from starlette.concurrency import run_in_threadpool
-from starlette.exceptions import HTTPException
 
-from restitution.api.arrays import MOST_ITEMS, number_array, read_json
+from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json
 from restitution.api.errors import (
     RefusedParametersError,
     from_validation,
     refusal,
-    refuse_repeated,
+    refuse_unsuited,
 )
 from restitution.api.forms import Payload, Result, flattened, formed, respond
 from restitution.api.schemas import (
@@ -34,7 +33,15 @@ from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
 from restitution.studies.trace import study_trace
 
-router = APIRouter(prefix="/api/v1", tags=["collisions"], dependencies=[Depends(refuse_repeated)])
+router = APIRouter(prefix="/api/v1", tags=["collisions"])
+
+ALLOWED: dict[str, Allowed] = {
+    "kappa": lambda values: values > 0.0,
+    "mu_over_alpha": lambda values: values >= 0.0,
+    "gt_over_gn": lambda values: values >= 0.0,
+    "damping": lambda values: values == 0.0,
+}
+"""Parameter of ``POST /collisions`` → which finite numbers it takes."""
 
 
 def _understood(query: Formed, **more: Any) -> Payload:
@@ -140,7 +147,8 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
 @router.post("/collisions")
 async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t and switches of many collisions, in the order of the parameters."""
-    body = await read_json(request)
+    refuse_unsuited(request)
+    body = await read_json(request, (*ALLOWED, *CollisionsBody.model_fields))
     begin = time.perf_counter()
     result = await run_in_threadpool(_collide_many, body)
     elapsed = 1e3 * (time.perf_counter() - begin)
@@ -154,27 +162,18 @@ async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> R
 
 
 def _collide_many(body: dict[str, Any]) -> Result:
-    names = ("kappa", "mu_over_alpha", "gt_over_gn", "damping")
     arrays, errors = {}, []
-    for name in names:
+    for name, allowed in ALLOWED.items():
         value = body.get(name, 0.0 if name == "damping" else None)
-        arrays[name], wrong = number_array(
-            name, value, REQUIREMENTS[name], positive=name == "kappa"
-        )
+        arrays[name], wrong = number_array(name, value, REQUIREMENTS[name], allowed)
         errors += wrong
     try:
         options = CollisionsBody.model_validate(
-            {key: value for key, value in body.items() if key not in names}
+            {key: value for key, value in body.items() if key not in ALLOWED}
         )
     except ValidationError as error:
         errors += from_validation(error.errors())
-    errors += [
-        refusal("damping", value, REQUIREMENTS["damping"])
-        for value in np.unique(arrays["damping"])[:1]
-        if np.any(arrays["damping"] > 0)
-    ]
-    lengths = {name: len(body[name]) for name in names if isinstance(body.get(name), list)}
-    lengths |= {name: a.size for name, a in arrays.items() if a.ndim and a.size}
+    lengths = {name: array.size for name, array in arrays.items() if array.ndim}
     if len(set(lengths.values())) > 1:
         errors += [
             refusal(name, f"{length} elements", "of one length with the other lists")
@@ -182,8 +181,10 @@ def _collide_many(body: dict[str, Any]) -> Result:
         ]
     if errors:
         raise RefusedParametersError(errors)
-    if max(lengths.values(), default=1) > MOST_ITEMS:
-        raise HTTPException(413, f"more than {MOST_ITEMS:,} collisions in one request")
+    if (count := max(lengths.values(), default=1)) > MOST_ITEMS:
+        raise CostError(
+            f"{count:,} collisions in one request are more than {MOST_ITEMS:,}, the limit"
+        )
     batch = study_batch(
         arrays["kappa"],
         arrays["mu_over_alpha"],

@@ -1,19 +1,21 @@
 """What the page and a supervisor ask: presets, health, readiness."""
 
-from typing import Any
+from typing import Annotated, Any
 
-from fastapi import APIRouter, Request, Response
+from fastapi import APIRouter, Query, Request, Response
 
 from restitution.api.errors import problem
+from restitution.api.forms import Result, respond
+from restitution.api.schemas import NoQuery
 from restitution.studies.presets import PRESETS, Preset
 
 router = APIRouter()
 
 
-@router.get("/api/v1/presets", tags=["presets"])
-def presets() -> dict[str, list[Preset]]:
+@router.get("/api/v1/presets", tags=["presets"], response_model=dict[str, list[Preset]])
+def presets(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
     """Return collisions worth a look."""
-    return {"items": list(PRESETS)}
+    return respond(request, query, lambda: Result({"items": list(PRESETS)}, dict))
 
 
 @router.get("/healthz", tags=["service"])
