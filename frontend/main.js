@@ -187,8 +187,9 @@ async function loadCollision({ collision }, signal) {
 function showCollision({ result, trace, reason }, { change }) {
   strip.show(result, change.dragging);
   map.legend.point(result);
+  let isLight = false;
   if (trace) {
-    force.show(trace);
+    isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
     timeCursor.show(trace);
   } else {
     force.withhold(`No picture of this one: ${reason}`);
@@ -196,8 +197,8 @@ function showCollision({ result, trace, reason }, { change }) {
   }
   afterNextFrame(() => {
     announcePainted("force-trace", change.inputTimeStamp);
-    if (trace) {
-      velocity.show(trace);
+    if (trace && !isLight) {
+      velocity.show(trace, change.dragging);
     }
     if (change.dragging) {
       maps.follow(store.get(), true);

@@ -6,11 +6,14 @@
  * @typedef {{base: number, top: number}} Extent on the vertical axis
  */
 
+/** A piece of ribbon without a word has a space, so that a word can come to stand there. */
+const SPACE = "\u00a0";
+
 /** What is written on the ribbon where there is room, and where there is a little. */
 const WORDS = {
   forward: { word: "slides →", sign: "→" },
   backward: { word: "← slides", sign: "←" },
-  sticking: { word: "sticks", sign: "" },
+  sticking: { word: "sticks", sign: SPACE },
 };
 const ROOM_FOR_WORD = 72;
 const ROOM_FOR_SIGN = 30;
@@ -84,5 +87,5 @@ function words(episode, pixelsPerTime) {
   if (room > ROOM_FOR_WORD) {
     return word;
   }
-  return room > ROOM_FOR_SIGN ? sign : "";
+  return room > ROOM_FOR_SIGN ? sign : SPACE;
 }

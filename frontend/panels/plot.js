@@ -1,5 +1,6 @@
 // @ts-check
 
+import { quickDraw } from "./quick-draw.js";
 import { currentTheme, onThemeChange } from "./theme.js";
 
 const CONFIG = {
@@ -31,11 +32,24 @@ export function createPlot(element, makeFigure) {
   /** @type {import("../figures/plot-area.js").Size | null} */
   let size = null;
 
-  function draw() {
-    if (shown && size && size.width > 0 && size.height > 0 && "Plotly" in globalThis) {
-      const { data, layout } = makeFigure(shown.subject, currentTheme(), size);
-      Plotly.react(element, data, layout, CONFIG);
+  /** @type {import("../figures/plot-area.js").Figure | null} */
+  let drawn = null;
+
+  /** Returns whether it was done the quick way. */
+  function draw(quickly = false) {
+    if (!shown || !size || size.width === 0 || size.height === 0 || !("Plotly" in globalThis)) {
+      return false;
     }
+    const figure = makeFigure(shown.subject, currentTheme(), size);
+    const isQuick = quickly && drawn !== null && quickDraw(element, drawn, figure);
+    if (isQuick) {
+      // As after Plotly's own drawing, the element holds the data of what it shows.
+      Object.assign(element, { data: figure.data });
+    } else {
+      Plotly.react(element, figure.data, figure.layout, CONFIG);
+    }
+    drawn = figure;
+    return isQuick;
   }
 
   const observer = new ResizeObserver(([{ contentRect }]) => {
@@ -43,14 +57,18 @@ export function createPlot(element, makeFigure) {
     draw();
   });
   observer.observe(element);
-  const endThemeChanges = onThemeChange(draw);
-  plotlyIsHere.then(draw);
+  const endThemeChanges = onThemeChange(() => draw());
+  plotlyIsHere.then(() => draw());
 
   return {
-    /** @param {Subject} subject */
-    show(subject) {
+    /**
+     * @param {Subject} subject
+     * @param {boolean} [quickly] as one of many pictures in a row
+     * @returns {boolean} whether it took next to no time
+     */
+    show(subject, quickly = false) {
       shown = { subject };
-      draw();
+      return draw(quickly);
     },
 
     destroy() {

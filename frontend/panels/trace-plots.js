@@ -59,12 +59,15 @@ function createTracePlot(element, makeFigure) {
   }
 
   return {
-    /** @param {import("../api/client.js").Trace} trace */
-    show(trace) {
+    /**
+     * @param {import("../api/client.js").Trace} trace
+     * @param {boolean} dragging
+     */
+    show(trace, dragging) {
       if (stage.hasAttribute("data-withheld")) {
         tell("");
       }
-      plot.show(trace);
+      return plot.show(trace, dragging);
     },
     withhold: tell,
     unmount: plot.destroy,

@@ -39,7 +39,10 @@ test("forceFigure gives each episode its width and the colour of its regime", ()
 
 test("forceFigure writes nothing on a piece of ribbon that is too short", () => {
   const bars = named(forceFigure(makeTrace(), THEME, { width: 120, height: 400 }), "regimes");
-  assert.deepEqual(new Set(bars.text), new Set([""]));
+  assert.deepEqual(
+    bars.text.map((text) => text.trim()),
+    ["", "", "", "", "", ""],
+  );
 });
 
 test("forceFigure numbers the switches from 1", () => {

@@ -1,0 +1,89 @@
+// @ts-check
+
+/**
+ * Where the marks of a figure lie in pixels: what Plotly works out when it draws them, for those who
+ * move marks that it has drawn.
+ *
+ * @typedef {import("./plot-area.js").Figure} Figure
+ * @typedef {{x: (value: number) => number, y: (value: number) => number}} PixelScale
+ */
+
+/**
+ * @param {Figure["layout"]} layout
+ * @returns {PixelScale}
+ */
+export function pixelScale({ width, height, margin, xaxis, yaxis }) {
+  return {
+    x: along(xaxis.range, width - margin.l - margin.r),
+    y: along([...yaxis.range].reverse(), height - margin.t - margin.b),
+  };
+}
+
+/**
+ * Whether two figures differ in nothing but where the marks of their traces lie and what is written
+ * on them.
+ * @param {Figure} a
+ * @param {Figure} b
+ */
+export function differInPlacesOnly(a, b) {
+  return (
+    frameOf(a.layout) === frameOf(b.layout) &&
+    a.data.length === b.data.length &&
+    a.data.every((trace, i) => looksOf(trace) === looksOf(b.data[i]))
+  );
+}
+
+/**
+ * The path of a line, as SVG writes it.
+ * @param {{x: ArrayLike<number>, y: ArrayLike<number>}} trace
+ * @param {PixelScale} scale
+ */
+export function linePath({ x, y }, scale) {
+  let path = "";
+  for (let i = 0; i < x.length; i += 1) {
+    path += `${i === 0 ? "M" : "L"}${scale.x(x[i])},${scale.y(y[i])}`;
+  }
+  return path;
+}
+
+/**
+ * The outline of each bar and its middle.
+ * @param {Record<"x" | "y" | "width" | "base", number[]>} trace
+ * @param {PixelScale} scale
+ */
+export function barPlaces({ x, y, width, base }, scale) {
+  return x.map((middle, i) => {
+    const left = scale.x(middle - width[i] / 2);
+    const right = scale.x(middle + width[i] / 2);
+    const [bottom, top] = [scale.y(base[i]), scale.y(base[i] + y[i])];
+    return { path: `M${left},${bottom}V${top}H${right}V${bottom}Z`, middle: (left + right) / 2 };
+  });
+}
+
+/**
+ * @param {[number, number] | number[]} range
+ * @param {number} length
+ */
+function along([from, to], length) {
+  const factor = length / (to - from);
+  return (/** @type {number} */ value) => Math.round(100 * factor * (value - from)) / 100;
+}
+
+/** @param {Figure["layout"]} layout */
+function frameOf({ width, height, margin, font, xaxis, yaxis }) {
+  const axes = [xaxis, yaxis].map(({ range, ticktext }) => [range, ticktext]);
+  return JSON.stringify([width, height, margin, font, axes]);
+}
+
+const MOVABLE = ["x", "y", "width", "base", "text"];
+
+/**
+ * What of a trace cannot be moved: its style, the number of its marks and which of them have a text.
+ * @param {Record<string, any>} trace
+ */
+function looksOf(trace) {
+  const fixed = Object.entries(trace).filter(([key]) => !MOVABLE.includes(key));
+  const marks = trace.mode === "lines" ? null : trace.x.length;
+  const texts = trace.text?.map((/** @type {string} */ text) => text !== "");
+  return JSON.stringify([fixed, marks, texts]);
+}
