@@ -57,12 +57,6 @@ def test_error_bound_holds_for_pure_sliding(service, kappa, psi, method):
     assert bound <= 1e-13
 
 
-BOUND_OF_ANOTHER_PSI = pytest.mark.xfail(
-    strict=True,
-    reason="mechanics.collision bounds ε_t by stiff_bound(κ, WEAKEST) for every ψ below WEAKEST",
-)
-
-
 @pytest.mark.parametrize(
     ("kappa", "gt_over_gn", "method"),
     [
@@ -70,11 +64,11 @@ BOUND_OF_ANOTHER_PSI = pytest.mark.xfail(
         (1e200, SMALLEST, "auto"),
         (1e220, 0.0, "stiff"),
         (LARGEST, 0.0, "stiff"),
-        pytest.param(1e220, 0.0, "auto", marks=BOUND_OF_ANOTHER_PSI),
-        pytest.param(1e220, 0.0, "exact", marks=BOUND_OF_ANOTHER_PSI),
-        pytest.param(1e220, 0.0, "coulomb", marks=BOUND_OF_ANOTHER_PSI),
-        pytest.param(1e220, SMALLEST, "auto", marks=BOUND_OF_ANOTHER_PSI),
-        pytest.param(LARGEST, 0.0, "auto", marks=BOUND_OF_ANOTHER_PSI),
+        (1e220, 0.0, "auto"),
+        (1e220, 0.0, "exact"),
+        (1e220, 0.0, "coulomb"),
+        (1e220, SMALLEST, "auto"),
+        (LARGEST, 0.0, "auto"),
     ],
 )
 def test_free_swing_is_not_claimed_beyond_precision(service, kappa, gt_over_gn, method):
@@ -84,27 +78,23 @@ def test_free_swing_is_not_claimed_beyond_precision(service, kappa, gt_over_gn, 
     assert distance <= bound
 
 
-@pytest.mark.xfail(strict=True, reason="mechanics.limits.stiff_asymptote: κ^{-5/4} underflows")
 def test_stiff_asymptote_is_formed_without_underflow(service):
     estimates = service.read(ask(service, 1e280, 1e-300))["estimates"]
     assert estimates["stiff_asymptote"] == pytest.approx(4.4848e-50, rel=1e-12, abs=0)
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.xfail(strict=True, reason="mechanics.limits.stiff_asymptote: 0/0 for κ > 1e259, ψ = 0")
 def test_stiff_asymptote_is_formed_without_a_warning(service):
     assert service.read(ask(service, 1e300, 0.0))["estimates"]["coulomb"] == 0.0
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.xfail(strict=True, reason="studies.axis: the last product of np.linspace overflows")
 def test_axis_is_formed_without_a_warning(service):
     axis = {"along": "gt_over_gn", "minimum": SMALLEST, "maximum": LARGEST, "count": 4}
     assert service.answer("/cut", kappa=18, mu_over_alpha=1, **axis)["values"][-1] == LARGEST
 
 
 @pytest.mark.filterwarnings("error")
-@pytest.mark.xfail(strict=True, reason="studies.trace: cap/κ · 0 where cap/κ overflows")
 def test_trace_is_formed_without_a_warning(service):
     trace = service.answer("/trace", kappa=SMALLEST, mu_over_alpha=0, gt_over_gn=1, samples=3)
     assert trace["spring_elongation"] == [0.0, 0.0, 0.0]

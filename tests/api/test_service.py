@@ -1,6 +1,7 @@
 """Presets, health, readiness, and what a defect looks like from outside."""
 
 import re
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from starlette.testclient import TestClient
@@ -100,3 +101,20 @@ def test_openapi_names_every_call_and_parameter(service):
         "episode_limit",
         "quantities",
     }
+
+
+def test_answers_are_the_same_when_many_ask_at_once(service):
+    queries = [
+        (path, {"mu_over_alpha": 1, **more})
+        for gt_over_gn in (0.3, 0.9, 2.5)
+        for path, more in (
+            ("/collision", {"kappa": 2e6, "gt_over_gn": gt_over_gn}),
+            ("/trace", {"kappa": 2000, "gt_over_gn": gt_over_gn}),
+            ("/map", {"gt_over_gn_max": gt_over_gn}),
+            ("/cut", {"along": "kappa", "gt_over_gn": gt_over_gn, "maximum": 1e4}),
+        )
+    ]
+    alone = [service.answer(path, **query) for path, query in queries]
+    with ThreadPoolExecutor(8) as pool:
+        asked = [pool.submit(service.answer, path, **query) for path, query in 4 * queries]
+        assert [future.result() for future in asked] == 4 * alone

@@ -21,6 +21,8 @@ LONGEST_ECHO = 200
 MOST_ERRORS = 100
 """Entries of a refusal; a refusal is for reading."""
 
+UNKNOWN = "left out: this call has no such parameter"
+
 MISFITS = {"cut": cut_misfits, "map": map_misfits}
 """Last part of an address → what its parameters must be beside each other."""
 
@@ -91,7 +93,7 @@ def refused(errors: list[dict[str, Any]]) -> Response:
         for e in errors[:MOST_ERRORS]
     ]
     if len(errors) > MOST_ERRORS:
-        sentences.append(f"and {len(errors) - MOST_ERRORS:,} more are wrong")
+        sentences.append("and more")
     return problem(422, "; ".join(sentences), errors[:MOST_ERRORS])
 
 
@@ -103,8 +105,8 @@ def from_validation(found: list[Any]) -> list[dict[str, Any]]:
         name = str(where[0]) if where else ""
         element = len(where) > 1
         match error["type"]:
-            case "extra_forbidden" | "invalid_key":
-                requirement = "left out: this call has no such parameter"
+            case "extra_forbidden":
+                requirement = UNKNOWN
             case "words":
                 requirement = f"a comma-separated choice of {error['ctx']['allowed']}"
             case _:

@@ -223,7 +223,7 @@ def _collide_each(
         # for ψ ≥ 2 there are few switches, and the stiff limit says nothing
         if p < 2.0 and (bound[i] >= 1.0 or expected_switches(k, p) > most_switches):
             epsilon_t[i], switches[i], certain[i] = 0.0, TOO_STIFF, False
-            bound[i] = stiff_bound(k, p)
+            bound[i] = stiff_bound(k, psi[i])
         else:
             epsilon_t[i], switches[i], certain[i] = follow(k, p, nothing)
         if psi[i] == 0.0:

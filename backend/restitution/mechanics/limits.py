@@ -101,8 +101,10 @@ def stiff_asymptote(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
     The last free swing ends about 1/√κ before the contact does.
     """
     psis = np.asarray(psi, dtype=float)
-    with np.errstate(over="ignore"):
-        largest: FloatArray = STIFF_ASYMPTOTE * np.asarray(kappa, dtype=float) ** -1.25 / psis
+    half_power = np.asarray(kappa, dtype=float) ** -0.625
+    with np.errstate(over="ignore", divide="ignore"):
+        # in two halves, between which a small ψ makes up for a large κ
+        largest: FloatArray = STIFF_ASYMPTOTE * half_power / psis * half_power
     return np.where(psis < 2.0, largest, np.nan)
 
 

@@ -36,9 +36,8 @@ class Axis:
         if self.minimum <= 0.0 and (positive or self.scale == "log"):
             reason = "as kappa is" if positive else "on a log scale"
             raise ParameterError(low, self.minimum, f"> 0, {reason}")
-        if self.scale == "linear":
-            return np.linspace(self.minimum, self.maximum, self.count)
+        space = np.linspace if self.scale == "linear" else np.geomspace
         with np.errstate(over="ignore"):
-            values = np.geomspace(self.minimum, self.maximum, self.count)
-        # the logarithm of the ends rounds, at the edge of the double range beyond it
+            values = space(self.minimum, self.maximum, self.count)
+        # steps and logarithms round, at the edge of the double range beyond it
         return np.clip(values, self.minimum, self.maximum)

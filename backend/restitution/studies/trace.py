@@ -116,7 +116,7 @@ def _tangential(
         regime = np.zeros(time.size, np.int8)
     else:
         velocity, force = np.full(time.size, initial), cap
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):
             stretch = cap / parameters.kappa * parameters.mu_over_alpha
         elongation = np.minimum(np.nan_to_num(stretch), initial * time)
         regime = np.ones(time.size, np.int8)

@@ -1,6 +1,8 @@
 """Collisions: one, its trace, along a cut, over a map, many at once."""
 
 import time
+from collections.abc import Iterable
+from itertools import islice
 from typing import Annotated, Any
 
 import numpy as np
@@ -10,6 +12,8 @@ from starlette.concurrency import run_in_threadpool
 
 from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json
 from restitution.api.errors import (
+    MOST_ERRORS,
+    UNKNOWN,
     RefusedParametersError,
     from_validation,
     refusal,
@@ -162,14 +166,17 @@ async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> R
 
 
 def _collide_many(body: dict[str, Any]) -> Result:
+    _refuse_too_many(len(value) for value in body.values() if isinstance(value, list))
     arrays, errors = {}, []
     for name, allowed in ALLOWED.items():
         value = body.get(name, 0.0 if name == "damping" else None)
         arrays[name], wrong = number_array(name, value, REQUIREMENTS[name], allowed)
         errors += wrong
+    unknown = (key for key in body if key not in ALLOWED and key not in CollisionsBody.model_fields)
+    errors += [refusal(key, body[key], UNKNOWN) for key in islice(unknown, MOST_ERRORS + 1)]
     try:
         options = CollisionsBody.model_validate(
-            {key: value for key, value in body.items() if key not in ALLOWED}
+            {key: body[key] for key in CollisionsBody.model_fields if key in body}
         )
     except ValidationError as error:
         errors += from_validation(error.errors())
@@ -181,10 +188,7 @@ def _collide_many(body: dict[str, Any]) -> Result:
         ]
     if errors:
         raise RefusedParametersError(errors)
-    if (count := max(lengths.values(), default=1)) > MOST_ITEMS:
-        raise CostError(
-            f"{count:,} collisions in one request are more than {MOST_ITEMS:,}, the limit"
-        )
+    _refuse_too_many(lengths.values())
     batch = study_batch(
         arrays["kappa"],
         arrays["mu_over_alpha"],
@@ -201,3 +205,10 @@ def _collide_many(body: dict[str, Any]) -> Result:
         "tolerance_met": batch.tolerance_met.tolist(),
     }
     return Result(payload, lambda: payload)
+
+
+def _refuse_too_many(lengths: Iterable[int]) -> None:
+    if (count := max(lengths, default=1)) > MOST_ITEMS:
+        raise CostError(
+            f"{count:,} collisions in one request are more than {MOST_ITEMS:,}, the limit"
+        )
