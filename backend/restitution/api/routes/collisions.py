@@ -45,7 +45,10 @@ ALLOWED: dict[str, Allowed] = {
     "gt_over_gn": lambda values: values >= 0.0,
     "damping": lambda values: values == 0.0,
 }
-"""Parameter of ``POST /collisions`` → which finite numbers it takes."""
+"""Parameter of ``POST /collisions`` that may be a list → which finite numbers it takes."""
+
+SINGLE = CollisionsBody.model_fields.keys() - ALLOWED.keys()
+"""Parameters of ``POST /collisions`` that may not."""
 
 
 def _understood(query: Formed, **more: Any) -> Payload:
@@ -152,7 +155,7 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
 async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t and switches of many collisions, in the order of the parameters."""
     refuse_unsuited(request)
-    body = await read_json(request, (*ALLOWED, *CollisionsBody.model_fields))
+    body = await read_json(request, (*ALLOWED, *SINGLE))
     begin = time.perf_counter()
     result = await run_in_threadpool(_collide_many, body)
     elapsed = 1e3 * (time.perf_counter() - begin)
@@ -172,12 +175,10 @@ def _collide_many(body: dict[str, Any]) -> Result:
         value = body.get(name, 0.0 if name == "damping" else None)
         arrays[name], wrong = number_array(name, value, REQUIREMENTS[name], allowed)
         errors += wrong
-    unknown = (key for key in body if key not in ALLOWED and key not in CollisionsBody.model_fields)
+    unknown = (key for key in body if key not in ALLOWED and key not in SINGLE)
     errors += [refusal(key, body[key], UNKNOWN) for key in islice(unknown, MOST_ERRORS + 1)]
     try:
-        options = CollisionsBody.model_validate(
-            {key: body[key] for key in CollisionsBody.model_fields if key in body}
-        )
+        options = CollisionsBody.model_validate({key: body[key] for key in SINGLE & body.keys()})
     except ValidationError as error:
         errors += from_validation(error.errors())
     lengths = {name: array.size for name, array in arrays.items() if array.ndim}
