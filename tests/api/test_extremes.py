@@ -8,7 +8,6 @@ import math
 import struct
 
 import numpy as np
-import pytest
 from hypothesis import example, given, seed, settings
 from hypothesis import strategies as st
 
@@ -50,14 +49,6 @@ def honest(epsilon_t, bound):
     assert -1 <= epsilon_t <= 1
     assert isinstance(bound, float)
     assert 0 <= bound < math.inf
-
-
-# each has its own test in test_extreme_bounds.py
-pytestmark = [
-    pytest.mark.filterwarnings("ignore:invalid value encountered in divide"),
-    pytest.mark.filterwarnings("ignore:invalid value encountered in multiply"),
-    pytest.mark.filterwarnings("ignore:overflow encountered in multiply"),
-]
 
 
 @seed(1)

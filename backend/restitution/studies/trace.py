@@ -25,8 +25,6 @@ COLUMNS = (
     "tangential_energy",
 )
 
-NORMAL_COLUMNS = ("compression", "compression_rate", "normal_force")
-
 MOST_SWITCHES = 20_000
 """A trace with more switches than this has no picture."""
 
@@ -98,6 +96,8 @@ def study_trace(
     return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times)
 
 
+# a product beyond the double range does not exist and is null in the answer
+@np.errstate(over="ignore", invalid="ignore")
 def _tangential(
     parameters: CollisionParameters, path: Motion | None, time: FloatArray, cap: FloatArray
 ) -> dict[str, FloatArray | npt.NDArray[np.int8]]:
@@ -116,12 +116,10 @@ def _tangential(
         regime = np.zeros(time.size, np.int8)
     else:
         velocity, force = np.full(time.size, initial), cap
-        with np.errstate(over="ignore", invalid="ignore"):
-            stretch = cap / parameters.kappa * parameters.mu_over_alpha
+        stretch = cap / parameters.kappa * parameters.mu_over_alpha
         elongation = np.minimum(np.nan_to_num(stretch), initial * time)
         regime = np.ones(time.size, np.int8)
-    with np.errstate(over="ignore"):
-        energy = 0.5 * (velocity**2 + (np.sqrt(parameters.kappa) * elongation) ** 2)
+    energy = 0.5 * (velocity**2 + (np.sqrt(parameters.kappa) * elongation) ** 2)
     return {
         "tangential_velocity": velocity,
         "spring_elongation": elongation,
