@@ -71,7 +71,7 @@ function along([from, to], length) {
 
 /** @param {Figure["layout"]} layout */
 function frameOf({ width, height, margin, font, xaxis, yaxis }) {
-  const axes = [xaxis, yaxis].map(({ range, ticktext }) => [range, ticktext]);
+  const axes = [xaxis, yaxis].map(({ range, ticktext, title }) => [range, ticktext, title]);
   return JSON.stringify([width, height, margin, font, axes]);
 }
 

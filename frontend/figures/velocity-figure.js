@@ -1,6 +1,6 @@
 // @ts-check
 
-import { brief } from "../format/number.js";
+import { brief, powerOfTen } from "../format/number.js";
 import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
 import { regimeBars } from "./regimes.js";
 
@@ -17,6 +17,8 @@ export function velocityFigure(trace, theme, size) {
   const { time, tangential_velocity: velocity, contact_duration: duration } = trace;
   const reach = roundedUp(Math.abs(velocity[0]));
   const { unit } = theme;
+  // Where plain digits would not fit beside the axis, it is numbered in a power of ten.
+  const power = reach >= 0.01 && reach < 1000 ? 0 : Math.floor(Math.log10(reach));
   const last = time.length - 1;
   const turns = turnsShown(trace, innerSize(size, TRACE_MARGIN, theme).width / unit);
   // Most collisions come back slowly: half of the axis below zero is enough for them.
@@ -62,8 +64,9 @@ export function velocityFigure(trace, theme, size) {
           theme,
           [bottom - 0.03 * reach, 1.03 * reach],
           [-reach, -reach / 2, 0, reach / 2, reach],
-          [-reach, -reach / 2, 0, reach / 2, reach].map(brief),
+          [-1, -0.5, 0, 0.5, 1].map((share) => brief((share * reach) / 10 ** power)),
         ),
+        title: { text: power === 0 ? "" : `× ${powerOfTen(power)}`, standoff: 0 },
         zeroline: true,
         zerolinecolor: theme.grid,
         zerolinewidth: 1,

@@ -15,6 +15,20 @@ export const PLOT_SYMBOLS = {
   gt_over_gn: "<i>g</i><sub>t</sub> / <i>g</i><sub>n</sub>",
 };
 
+/**
+ * A text in pieces: plain ones, and symbols as a letter with its index, as in ε_t or κ.
+ * @param {string} text
+ * @returns {{plain?: string, letter?: string, index?: string}[]}
+ */
+export function splitSymbols(text) {
+  return text
+    .split(/((?<![A-Za-z])[A-Za-zεψκ]_[a-z](?![a-z])|[εψκμαν](?![A-Za-z_]))/)
+    .map((piece, i) =>
+      i % 2 === 0 ? { plain: piece } : { letter: piece[0], index: piece.slice(2) },
+    )
+    .filter(({ plain }) => plain !== "");
+}
+
 /** The same in letters alone, for a screen reader or a notice. */
 export const PLAIN_SYMBOLS = {
   kappa: "κ",

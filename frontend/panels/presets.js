@@ -1,5 +1,7 @@
 // @ts-check
 
+import { typeset } from "./typeset.js";
+
 /** @typedef {import("../api/client.js").Preset} Preset */
 
 /**
@@ -29,10 +31,7 @@ export function mountPresets(element, onChoose) {
         button.ariaPressed = String(isChosen);
       }
     }
-    const text = chosen ? `${chosen.title}: ${chosen.source}` : "";
-    if (source.textContent !== text) {
-      source.textContent = text;
-    }
+    typeset(source, chosen ? `${chosen.title}: ${chosen.source}` : "");
   }
 
   /** @param {Preset} preset */

@@ -2,6 +2,7 @@
 
 import { duration, errorBound, percentage, significant } from "../format/number.js";
 import { byTestId } from "./find.js";
+import { typeset } from "./typeset.js";
 
 /**
  * The strip with ε_t and what else is to be said of the collision.
@@ -37,7 +38,7 @@ export function mountResultStrip(element) {
       write(energyLost, lostShare(result.energy));
       write(contactDuration, significant(result.contact_duration));
       write(psi, significant(result.parameters.psi ?? Infinity));
-      write(summary, result.summary);
+      typeset(summary, result.summary);
       write(
         provenance,
         `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,

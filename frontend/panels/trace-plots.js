@@ -4,6 +4,7 @@ import { forceFigure } from "../figures/force-figure.js";
 import { velocityFigure } from "../figures/velocity-figure.js";
 import { find } from "./find.js";
 import { createPlot } from "./plot.js";
+import { typeset } from "./typeset.js";
 
 /**
  * The force trace.
@@ -55,7 +56,7 @@ function createTracePlot(element, makeFigure) {
   /** @param {string} reason */
   function tell(reason) {
     stage.toggleAttribute("data-withheld", reason !== "");
-    reasonLine.textContent = reason;
+    typeset(reasonLine, reason);
   }
 
   return {

@@ -57,11 +57,9 @@ export function sameView(a, b) {
  * @param {import("./parameters.js").Collision} collision
  */
 export function placeOnMap(view, collision) {
-  return {
-    x: clamp(view.kappa.toShare(collision.kappa)),
-    y: clamp(view.gtOverGn.toShare(collision.gt_over_gn)),
-    outside: isBeyond(view.kappa, collision.kappa) || isBeyond(view.gtOverGn, collision.gt_over_gn),
-  };
+  const x = view.kappa.toShare(collision.kappa);
+  const y = view.gtOverGn.toShare(collision.gt_over_gn);
+  return { x: clamp(x), y: clamp(y), outside: isBeyond(x) || isBeyond(y) };
 }
 
 /**
@@ -106,11 +104,11 @@ function stepAbove(value) {
 }
 
 /**
- * @param {import("./scales.js").Scale} scale
- * @param {number} value
+ * Whether a place is beyond the frame by more than the eye sees.
+ * @param {number} share
  */
-function isBeyond({ min, max }, value) {
-  return value < min || value > max;
+function isBeyond(share) {
+  return share < -0.01 || share > 1.01;
 }
 
 /** @param {number} share */

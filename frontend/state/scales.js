@@ -35,7 +35,10 @@ export function powerScale(min, max, power) {
   return {
     min,
     max,
-    toShare: (value) => (Math.max(0, value - min) / (max - min)) ** power,
+    toShare(value) {
+      const distance = (value - min) / (max - min);
+      return Math.sign(distance) * Math.abs(distance) ** power;
+    },
     fromShare: (share) => min + (max - min) * Math.max(0, share) ** (1 / power),
   };
 }

@@ -85,6 +85,19 @@ test("velocityFigure holds the whole motion in its axis, for every size of it", 
   }
 });
 
+test("velocityFigure numbers its axis in a power of ten where plain digits would not fit", () => {
+  const axisAt = (scale) => {
+    const velocity = Float64Array.of(1, 0.4, -0.4, -0.5).map((value) => value * scale);
+    return velocityFigure(makeTrace({ tangential_velocity: velocity }), THEME, SIZE).layout.yaxis;
+  };
+  assert.equal(axisAt(1).title.text, "");
+  assert.equal(axisAt(1e-7).title.text, "× 10⁻⁷");
+  assert.equal(axisAt(1e-300).title.text, "× 10⁻³⁰⁰");
+  for (const scale of [1e-300, 1e-7, 1, 500, 1e9]) {
+    assert.ok(axisAt(scale).ticktext.every((text) => text.length <= 5));
+  }
+});
+
 test("velocityFigure draws a sphere without tangential velocity", () => {
   const still = makeTrace({ tangential_velocity: new Float64Array(4), reversals: 0 });
   const [low, high] = velocityFigure(still, THEME, SIZE).layout.yaxis.range;

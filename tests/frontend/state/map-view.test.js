@@ -45,3 +45,10 @@ test("collisionAt keeps a drag beyond the frame within it", () => {
   const view = mapView(AT, "linear");
   assert.deepEqual(collisionAt(view, 1.3, -0.2), { kappa: 70, gt_over_gn: 0.01 });
 });
+
+test("placeOnMap does not call outside what the eye takes for the edge", () => {
+  const linear = placeOnMap(mapView(AT, "linear"), { ...AT, gt_over_gn: 0 });
+  assert.deepEqual([linear.y, linear.outside], [0, false]);
+  const log = placeOnMap(mapView(AT, "log"), { ...AT, gt_over_gn: 0 });
+  assert.deepEqual([log.y, log.outside], [0, true]);
+});

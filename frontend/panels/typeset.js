@@ -1,0 +1,40 @@
+// @ts-check
+
+import { splitSymbols } from "../format/symbols.js";
+
+/** @type {WeakMap<HTMLElement, string>} */
+const written = new WeakMap();
+
+/**
+ * Writes a text of the server with its symbols set as symbols, unless it stands there already.
+ * @param {HTMLElement} element
+ * @param {string} text
+ */
+export function typeset(element, text) {
+  if (written.get(element) === text) {
+    return;
+  }
+  written.set(element, text);
+  element.replaceChildren(...splitSymbols(text).flatMap(set));
+}
+
+/**
+ * @param {ReturnType<typeof splitSymbols>[number]} piece
+ * @returns {Node[]}
+ */
+function set({ plain, letter, index }) {
+  if (!letter) {
+    return [document.createTextNode(plain ?? "")];
+  }
+  return index ? [holding("var", letter), holding("sub", index)] : [holding("var", letter)];
+}
+
+/**
+ * @param {string} name
+ * @param {string} text
+ */
+function holding(name, text) {
+  const element = document.createElement(name);
+  element.textContent = text;
+  return element;
+}
