@@ -6,6 +6,10 @@ import { regimeBars } from "./regimes.js";
 
 const TURN_PIXELS = 14;
 
+/** Beyond these, pixels per unit or the length of the axis leave the range of a double. */
+const SHORTEST_REACH = 1e-290;
+const LONGEST_REACH = 8e307;
+
 /**
  * The tangential velocity of Fig. 6 over the contact, with its turns marked.
  * @param {import("../api/client.js").Trace} trace
@@ -85,7 +89,8 @@ function roundedUp(value) {
   }
   const decade = 10 ** Math.floor(Math.log10(value));
   const step = [1, 1.5, 2, 3, 4, 5, 6, 8, 10].find((factor) => factor * decade >= value) ?? 10;
-  return Number((step * decade).toPrecision(2)) || value;
+  const rounded = Number((step * decade).toPrecision(2));
+  return Math.min(LONGEST_REACH, Math.max(SHORTEST_REACH, rounded));
 }
 
 /**

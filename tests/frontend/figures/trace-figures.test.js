@@ -85,6 +85,15 @@ test("velocityFigure holds the whole motion in its axis, for every size of it", 
   }
 });
 
+test("velocityFigure has an axis of finite scale at both ends of the doubles", () => {
+  for (const value of [5e-324, 1e-310, 1.7e308]) {
+    const velocity = Float64Array.of(value, 0, 0, -value);
+    const figure = velocityFigure(makeTrace({ tangential_velocity: velocity }), THEME, SIZE);
+    const [low, high] = figure.layout.yaxis.range;
+    assert.ok(high - low < Infinity && SIZE.height / (high - low) < Infinity, `at ${value}`);
+  }
+});
+
 test("velocityFigure numbers its axis in a power of ten where plain digits would not fit", () => {
   const axisAt = (scale) => {
     const velocity = Float64Array.of(1, 0.4, -0.4, -0.5).map((value) => value * scale);
