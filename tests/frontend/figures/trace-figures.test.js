@@ -101,8 +101,8 @@ test("velocityFigure numbers its axis in a power of ten where plain digits would
   };
   assert.equal(axisAt(1).title.text, "");
   assert.equal(axisAt(1e-7).title.text, "× 10⁻⁷");
-  assert.equal(axisAt(1e-300).title.text, "× 10⁻³⁰⁰");
-  for (const scale of [1e-300, 1e-7, 1, 500, 1e9]) {
+  assert.equal(axisAt(1e-280).title.text, "× 10⁻²⁸⁰");
+  for (const scale of [1e-280, 1e-7, 1, 500, 1e9]) {
     assert.ok(axisAt(scale).ticktext.every((text) => text.length <= 5));
   }
 });
