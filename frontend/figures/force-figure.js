@@ -1,7 +1,7 @@
 // @ts-check
 
 import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
-import { regimeBars } from "./regimes.js";
+import { regimeRibbon, regimeShades } from "./regimes.js";
 import { spreadApart } from "./spread.js";
 
 /** Undamped, the normal force reaches 1.14; the axis stays where it is unless a force goes beyond. */
@@ -28,7 +28,8 @@ export function forceFigure(trace, theme, size) {
   const ribbon = { base: reach + unit * perPixel, top: top - unit * perPixel };
   return {
     data: [
-      regimeBars(episodes, { base: -reach, top: reach }, ribbon, pixelsPerTime, theme),
+      regimeShades(episodes, { base: -reach, top: reach }, theme),
+      regimeRibbon(episodes, ribbon, pixelsPerTime, theme),
       envelope(time, normalForce, theme),
       {
         name: "tangential force / mu",
@@ -98,7 +99,7 @@ function switchNumbers(times, duration, height, pixelsPerTime, theme) {
     x,
     y: x.map(() => height),
     text: x.map((_, i) => String(i + 1)),
-    textfont: { size: theme.unit * (x.length > 9 ? 9 : 10), color: theme.ink },
+    textfont: { size: 10 * theme.unit, color: theme.ink },
     marker: {
       size: pixels,
       color: theme.paper,

@@ -20,12 +20,12 @@ export function pixelScale({ width, height, margin, xaxis, yaxis }) {
 }
 
 /**
- * Whether two figures differ in nothing but where the marks of their traces lie and what is written
- * on them.
+ * Whether two figures have the same axes and differ only in the marks of their traces: how many there
+ * are, where they lie and what is written on them.
  * @param {Figure} a
  * @param {Figure} b
  */
-export function differInPlacesOnly(a, b) {
+export function differInMarksOnly(a, b) {
   return (
     frameOf(a.layout) === frameOf(b.layout) &&
     a.data.length === b.data.length &&
@@ -78,12 +78,13 @@ function frameOf({ width, height, margin, font, xaxis, yaxis }) {
 const MOVABLE = ["x", "y", "width", "base", "text"];
 
 /**
- * What of a trace cannot be moved: its style, the number of its marks and which of them have a text.
+ * What of a trace does not come and go with its marks: all but their places, their texts, and for
+ * bars, which differ in nothing else, their colours.
  * @param {Record<string, any>} trace
  */
 function looksOf(trace) {
-  const fixed = Object.entries(trace).filter(([key]) => !MOVABLE.includes(key));
-  const marks = trace.mode === "lines" ? null : trace.x.length;
-  const texts = trace.text?.map((/** @type {string} */ text) => text !== "");
-  return JSON.stringify([fixed, marks, texts]);
+  const fixed = Object.entries(trace).filter(
+    ([key]) => !MOVABLE.includes(key) && !(trace.type === "bar" && key === "marker"),
+  );
+  return JSON.stringify([fixed, "text" in trace]);
 }

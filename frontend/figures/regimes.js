@@ -27,53 +27,62 @@ export function regimeOf({ regime, direction }) {
 }
 
 /**
- * The regimes as bars along the axis of time: each episode's shade and, above it, its piece of the
- * ribbon that names it. One trace for all of them, for each costs a millisecond of every frame.
+ * Each episode of sliding shaded over the height of the plot.
  * @param {Episode[]} episodes
- * @param {Extent} shade
- * @param {Extent | null} ribbon
- * @param {number} pixelsPerTime
+ * @param {Extent} extent
  * @param {Theme} theme
  */
-export function regimeBars(episodes, shade, ribbon, pixelsPerTime, theme) {
-  const shades = {
+export function regimeShades(episodes, extent, theme) {
+  const colors = {
     forward: theme.slidingShade,
     backward: theme.slidingBackShade,
     sticking: "rgba(0,0,0,0)",
   };
-  const solids = {
+  return { name: "regimes", ...bars(episodes, extent, colors) };
+}
+
+/**
+ * The ribbon that gives each episode the colour of its regime and, where there is room, its name.
+ * @param {Episode[]} episodes
+ * @param {Extent} extent
+ * @param {number} pixelsPerTime
+ * @param {Theme} theme
+ */
+export function regimeRibbon(episodes, extent, pixelsPerTime, theme) {
+  const colors = {
     forward: theme.sliding,
     backward: theme.slidingBack,
     sticking: theme.sticking,
   };
-  /** @type {{extent: Extent, colors: typeof solids, text: (episode: Episode) => string}[]} */
-  const rows = [{ extent: shade, colors: shades, text: () => "" }];
-  if (ribbon) {
-    rows.push({
-      extent: ribbon,
-      colors: solids,
-      text: (episode) => words(episode, pixelsPerTime / theme.unit),
-    });
-  }
-  /** @param {(episode: Episode, row: (typeof rows)[number]) => any} read */
-  const each = (read) => rows.flatMap((row) => episodes.map((episode) => read(episode, row)));
   return {
-    name: "regimes",
-    type: "bar",
-    x: each(({ start, end }) => (start + end) / 2),
-    width: each(({ start, end }) => end - start),
-    base: each((_, { extent }) => extent.base),
-    y: each((_, { extent }) => extent.top - extent.base),
-    marker: {
-      color: each((episode, { colors }) => colors[regimeOf(episode)]),
-      line: { width: 0 },
-    },
-    text: each((episode, row) => row.text(episode)),
+    name: "ribbon",
+    ...bars(episodes, extent, colors),
+    text: episodes.map((episode) => words(episode, pixelsPerTime / theme.unit)),
     textposition: "inside",
     insidetextanchor: "middle",
     insidetextfont: { size: 11 * theme.unit, color: theme.onRegime },
     textangle: 0,
     constraintext: "none",
+  };
+}
+
+/**
+ * Bars along the axis of time: one trace for all regimes, for each costs a millisecond of a frame.
+ * @param {Episode[]} episodes
+ * @param {Extent} extent
+ * @param {Record<ReturnType<typeof regimeOf>, string>} colors
+ */
+function bars(episodes, { base, top }, colors) {
+  return {
+    type: "bar",
+    x: episodes.map(({ start, end }) => (start + end) / 2),
+    width: episodes.map(({ start, end }) => end - start),
+    base: episodes.map(() => base),
+    y: episodes.map(() => top - base),
+    marker: {
+      color: episodes.map((episode) => colors[regimeOf(episode)]),
+      line: { width: 0 },
+    },
   };
 }
 

@@ -2,7 +2,7 @@
 
 import { brief, powerOfTen } from "../format/number.js";
 import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
-import { regimeBars } from "./regimes.js";
+import { regimeShades } from "./regimes.js";
 
 const TURN_PIXELS = 14;
 
@@ -29,7 +29,7 @@ export function velocityFigure(trace, theme, size) {
   const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
   return {
     data: [
-      regimeBars(trace.episodes, { base: bottom, top: reach }, null, 0, theme),
+      regimeShades(trace.episodes, { base: bottom, top: reach }, theme),
       {
         name: "tangential velocity",
         type: "scatter",
