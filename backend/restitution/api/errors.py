@@ -162,9 +162,17 @@ def _cost(_: Request, error: Exception) -> Response:
     return problem(413, str(error))
 
 
-def _http(_: Request, error: Exception) -> Response:
+def _http(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
-    return problem(error.status_code, str(error.detail), None, **(error.headers or {}))
+    headers = error.headers or {}
+    match error.status_code:
+        case 404:
+            detail = f"there is nothing at {as_received(request.url.path)}"
+        case 405:
+            detail = f"{request.method} is not allowed here, but {headers.get('Allow', 'others')}"
+        case _:
+            detail = str(error.detail)
+    return problem(error.status_code, detail, None, **headers)
 
 
 def _defect(_: Request, __: Exception) -> Response:

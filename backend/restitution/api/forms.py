@@ -78,7 +78,18 @@ def formed(
 
 def as_json(payload: Payload, encoding: str) -> bytes:
     """Return JSON; NaN and infinities are null, or NaN in base64."""
-    return orjson.dumps(payload, default=_typed if encoding == "base64" else _listed)
+    if encoding == "base64":
+        return orjson.dumps(payload, default=_typed)
+    return orjson.dumps({n: _counted(n, value) for n, value in payload.items()}, default=_listed)
+
+
+def _counted(name: str, value: Any) -> Any:
+    """Return switches of which some are NaN as integers and None; else `value` as it is."""
+    if name != "switches" or not isinstance(value, np.ndarray) or value.dtype.kind != "f":
+        return value
+    counts = np.where(np.isnan(value), -1.0, value).astype(np.int32).astype(object)
+    counts[np.isnan(value)] = None
+    return counts.tolist()
 
 
 def _listed(value: object) -> object:
@@ -110,7 +121,7 @@ def typed_array(values: npt.NDArray[Any]) -> dict[str, str]:
 
 def as_csv(table: Table) -> bytes:
     """Return a header row and one row per element of the columns (N,); None and NaN are empty."""
-    columns = [_texts(column) for column in table.values()]
+    columns = [_texts(_counted(name, column)) for name, column in table.items()]
     rows = b"\n".join(map(b",".join, zip(*columns, strict=True)))
     return b",".join(name.encode() for name in table) + b"\n" + rows + b"\n"
 
