@@ -212,3 +212,12 @@ def test_other_forms_are_refused(service, path, parameters, form):
         wrong = service.wrong(path, **parameters, **form)
     assert wrong.keys() == {name}
     assert wrong[name]["value"] == value
+
+
+def test_switches_stay_integers_when_some_are_null(service):
+    body = {"kappa": [63, 1e30], "mu_over_alpha": 1, "gt_over_gn": 0.97}
+    switches = service.collisions(body)["switches"]
+    assert switches == [8, None]
+    assert type(switches[0]) is int
+    rows = service.post(body, format="csv").text.splitlines()
+    assert [row.split(",")[2] for row in rows] == ["switches", "8", ""]

@@ -210,6 +210,28 @@ def test_auto_answers_with_its_true_bound_when_none_can(service):
     assert answer["switches"] is None
 
 
+@pytest.mark.xfail(strict=True, reason="studies.batch takes the stiff limit for the exact value")
+@pytest.mark.parametrize("method", ["auto", "coulomb", "stiff"])
+def test_error_is_null_where_the_exact_value_is_unknown(service, method):
+    # |ε_t| may be anything up to 1 here
+    cut = {"along": "kappa", "gt_over_gn": 1e-15, "minimum": 18, "maximum": 1e29, "count": 2}
+    answer = service.answer(
+        "/cut", mu_over_alpha=1, method=method, quantities="epsilon_t,error", **cut
+    )
+    assert answer["error_bound"] == 1.0
+    assert answer["error"][1] is None
+
+
+@pytest.mark.xfail(strict=True, reason="studies.summary speaks of ε_t whatever its error bound")
+@pytest.mark.parametrize(
+    ("kappa", "psi", "method"), [(1e28, 1e-14, "auto"), (18, 0.3, "stiff"), (18, 0.3, "coulomb")]
+)
+def test_summary_claims_no_more_than_the_error_bound_allows(service, kappa, psi, method):
+    answer = ask(service, kappa, psi, method=method)
+    assert answer["error_bound"] > 0.3
+    assert "almost nothing" not in answer["summary"].lower()
+
+
 @pytest.mark.parametrize(
     ("path", "more"),
     [

@@ -10,7 +10,8 @@ PATHS = ("/collision", "/trace", "/cut", "/map")
     "path", ["/nothing", "/collision/17", "/collisions/17", "/map.csv", "/../secret", "/%00", "/κ"]
 )
 def test_unknown_addresses_are_404(service, path):
-    service.problem(service.get(path), 404)
+    response = service.get(path)
+    assert response.request.url.path in service.problem(response, 404)["detail"]
 
 
 @pytest.mark.parametrize(
@@ -24,7 +25,9 @@ def test_unknown_addresses_outside_the_interface_are_404(service, path):
 @pytest.mark.parametrize("path", [*PATHS, "/presets"])
 def test_other_verbs_are_405_with_those_allowed(service, path, method):
     response = service.client.request(method, "/api/v1" + path, params=COLLISION)
-    service.problem(response, 405)
+    detail = service.problem(response, 405)["detail"]
+    assert method in detail
+    assert "GET" in detail
     assert response.headers["allow"] == "GET"
 
 
