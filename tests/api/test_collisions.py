@@ -174,6 +174,7 @@ def test_lists_of_different_lengths_are_all_named(service):
         typed([5, 18, 63]) | {"bdata": "AAAA"},
         typed([5, 18, 63]) | {"bdata": "not base 64!"},
         typed([5, 18, 63]) | {"bdata": "κ"},
+        typed([5, 18, 63]) | {"bdata": "!" + typed([5, 18, 63])["bdata"]},
         typed([5, 18, 63]) | {"bdata": 17},
         typed([5, 18, 63]) | {"bdata": [1]},
         typed([5, 18, 63]) | {"bdata": None},
