@@ -31,6 +31,7 @@ from restitution.mechanics.switching import (
     first_sliding_end,
     sliding_end,
     slip_extremum,
+    slip_reach,
     sticking_end_after_compression,
     sticking_end_in_decompression,
 )
@@ -145,6 +146,48 @@ def record(
 
 
 @compiled
+def velocity_to_stop(q: float, decompressing: bool) -> float:
+    """Return what the cap can still take from the velocity in the rest of the contact, 1 + ẋ."""
+    _, loss = normal_motion(q)
+    return loss if decompressing else 2.0 - loss
+
+
+@compiled
+def sticking_end(
+    kappa: float, phase: int, q: float, side: int, velocity: float
+) -> tuple[bool, float, int, float, bool]:
+    """Return the half, q, side, velocity towards that side, and certainty of the next sliding.
+
+    Sticking began in `phase` at q on the given side with the given velocity.
+    """
+    omega = math.sqrt(kappa)
+    decompressing = certain = True
+    if phase == COMPRESSING:
+        decompressing, q, side, velocity, certain = sticking_end_after_compression(
+            kappa, omega, q, velocity
+        )
+        towards = side * velocity
+    else:
+        q, towards = sticking_end_in_decompression(omega, q, abs(velocity))
+        side = -side
+    if decompressing and kappa * (velocity_to_stop(q, True) - towards) > slip_reach(kappa, q):
+        # Only rounding has put the spring on the cap: it moves away, faster than the cap falls.
+        q, towards = sticking_end_in_decompression(omega, q, -towards)
+        side, certain = -side, False
+    return decompressing, q, side, towards, certain
+
+
+@compiled
+def next_sliding_end(kappa: float, q: float, decompressing: bool, lacking: float) -> float:
+    """Return q where sliding ends that began at q and lacks the velocity `lacking` to go on."""
+    high = q
+    if kappa < MONOTONE_STIFFNESS:
+        extremum = slip_extremum(kappa)
+        high = min(q, extremum) if decompressing else extremum
+    return sliding_end(kappa, kappa * lacking, high, high)
+
+
+@compiled
 def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[float, int, bool]:
     """Follow one collision from switch to switch.
 
@@ -166,42 +209,26 @@ def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[fl
         record(episodes, 0, 0.0, psi, False, 1, True)
     if phase == SLIDING_TO_THE_END:
         return 1.0 - 2.0 / psi, 0, certain
-    omega = math.sqrt(kappa)
+    phase_rounding = 8.0 * ROUNDING * (1.0 + math.sqrt(kappa))
     side = 1
     switches = 0
     while True:
         root, loss = normal_motion(q)
+        compressing = phase == COMPRESSING
+        velocity = psi - loss if compressing else -1.5 * side * root * (1.0 - loss) / kappa
         switches += 1
         if switches < room:
-            fall = -1.5 * side * root * (1.0 - loss) / kappa
-            velocity = psi - loss if phase == COMPRESSING else fall
-            record(episodes, switches, q, velocity, phase == DECOMPRESSING, side, False)
-        if phase == COMPRESSING:
-            decompressing, q, side, velocity, sure = sticking_end_after_compression(
-                kappa, omega, q, psi - loss
-            )
-            certain = certain and sure
-            towards = side * velocity
-        else:
-            q, towards = sticking_end_in_decompression(kappa, omega, q)
-            side = -side
-            decompressing = True
+            record(episodes, switches, q, velocity, not compressing, side, False)
+        decompressing, q, side, towards, sure = sticking_end(kappa, phase, q, side, velocity)
         switches += 1
         if switches < room:
             record(episodes, switches, q, side * towards, decompressing, side, True)
-        _, loss = normal_motion(q)
-        # what the cap can still take from the velocity: 1 + ẋ
-        remaining = loss if decompressing else 2.0 - loss
-        lacking = remaining - towards
-        if abs(lacking) <= 8.0 * ROUNDING * (1.0 + omega) * (remaining + abs(towards)):
-            certain = False
+        lacking = velocity_to_stop(q, decompressing) - towards
+        certain = certain and sure
+        certain = certain and abs(lacking) > phase_rounding * (lacking + 2.0 * abs(towards))
         if lacking <= 0.0:
             return -side * lacking / psi, switches, certain
-        high = q
-        if kappa < MONOTONE_STIFFNESS:
-            extremum = slip_extremum(kappa)
-            high = min(q, extremum) if decompressing else extremum
-        q = sliding_end(kappa, kappa * lacking, high, high)
+        q = next_sliding_end(kappa, q, decompressing, lacking)
         phase = DECOMPRESSING
 
 

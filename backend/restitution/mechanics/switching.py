@@ -139,17 +139,22 @@ def first_sliding_end(kappa: float, psi: float) -> tuple[int, float, bool]:
 
 @compiled
 def cap_fall(amplitude: float) -> float:
-    """Return q, to a few digits, where x^{3/2} has fallen to `amplitude`."""
+    """Return q where x^{3/2} has fallen to `amplitude`, `HALF_CONTACT_ROOT` if it is never so high.
+
+    √x is concave in q and at most q, so Newton's method rises to the root from below; at the top,
+    where the root is double, it still halves the distance.
+    """
     cap_root: float = min(amplitude, MAXIMUM_FORCE) ** (1.0 / 3.0)
     q: float = cap_root
-    for _ in range(6):
+    for _ in range(MOST_STEPS):
         root, loss = normal_motion(q)
-        # d√x/dq = |ẋ| q/√x vanishes at the top, where a few digits need no more than a floor
-        q = min(
-            q + (cap_root - root) * root / (max(q, NEGLIGIBLE) * max(1.0 - loss, 0.05)),
-            HALF_CONTACT_ROOT,
-        )
-    return q
+        step = (cap_root - root) * root / (q * (1.0 - loss))
+        if not step > CONVERGED * q:
+            return min(q + max(step, 0.0), HALF_CONTACT_ROOT)
+        q += step
+        if q >= HALF_CONTACT_ROOT:
+            return HALF_CONTACT_ROOT
+    raise ArithmeticError("the fall of the cap was not found")
 
 
 @compiled
@@ -273,17 +278,16 @@ def cap_contact(
 
 
 @compiled
-def sticking_end_in_decompression(kappa: float, omega: float, q0: float) -> tuple[float, float]:
+def sticking_end_in_decompression(omega: float, q0: float, speed: float) -> tuple[float, float]:
     """Return q at the next cap, on the other side, and the velocity towards that side there.
 
-    The spring began to stick at q₀ with the fall of the cap, so κz is
-    −`amplitude` sin(ω(t − t_zero)) times the side that it leaves.
+    The spring began to stick at q₀ on the cap, at `speed` towards z = 0, at least that of the cap:
+    κz is −`amplitude` sin(ω(t − t_zero)) times the side that it leaves.
     """
-    root, loss = normal_motion(q0)
+    root, _ = normal_motion(q0)
     p0 = root * root * root
-    fall = 1.5 * root * (1.0 - loss)
-    amplitude = math.hypot(p0, fall / omega)
-    zero = q0 * q0 - math.atan2(omega * p0, fall) / omega
+    amplitude = math.hypot(p0, omega * speed)
+    zero = max(0.0, q0 * q0 - math.atan2(p0, omega * speed) / omega)
     low = math.sqrt(max(0.0, zero - 0.5 * math.pi / omega))
     high = math.sqrt(zero)
     q = high
@@ -299,5 +303,5 @@ def sticking_end_in_decompression(kappa: float, omega: float, q0: float) -> tupl
             low = q
         q, found = newton_within(n, q, value, slope, low, high)
         if found:
-            return q, math.hypot(p0 / omega, fall / kappa) * math.cos(omega * (zero - q * q))
+            return q, math.hypot(p0 / omega, speed) * math.cos(omega * (zero - q * q))
     raise ArithmeticError("the end of sticking was not found")
