@@ -210,7 +210,6 @@ def test_auto_answers_with_its_true_bound_when_none_can(service):
     assert answer["switches"] is None
 
 
-@pytest.mark.xfail(strict=True, reason="studies.batch takes the stiff limit for the exact value")
 @pytest.mark.parametrize("method", ["auto", "coulomb", "stiff"])
 def test_error_is_null_where_the_exact_value_is_unknown(service, method):
     # |ε_t| may be anything up to 1 here
@@ -222,7 +221,6 @@ def test_error_is_null_where_the_exact_value_is_unknown(service, method):
     assert answer["error"][1] is None
 
 
-@pytest.mark.xfail(strict=True, reason="studies.summary speaks of ε_t whatever its error bound")
 @pytest.mark.parametrize(
     ("kappa", "psi", "method"), [(1e28, 1e-14, "auto"), (18, 0.3, "stiff"), (18, 0.3, "coulomb")]
 )

@@ -203,7 +203,6 @@ def test_more_than_20000_switches_are_refused_with_both_numbers(service):
     assert f"{counted['switches']:,}" in problem["detail"]
 
 
-@pytest.mark.xfail(strict=True, reason="mechanics.motion names the limit of /collision instead")
 def test_far_more_than_20000_switches_are_refused_with_the_limit_of_a_trace(service):
     problem = service.refused("/trace", 413, kappa=1e20, mu_over_alpha=1, gt_over_gn=0.5)
     assert "20,000" in problem["detail"]

@@ -44,7 +44,7 @@ class Answer:
     switches_certain : ndarray of bool, or None
         False where rounding decides about a switch.
     exact : ndarray of float, or None
-        The exact ε_t where it was computed on the way.
+        The exact ε_t where it was computed on the way, NaN where it cannot be.
     """
 
     epsilon_t: FloatArray

@@ -22,5 +22,5 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
         epsilon_t,
         np.abs(epsilon_t - truth.epsilon_t) + truth.error_bound,
         np.full(kappa.shape, options.method),
-        exact=truth.epsilon_t,
+        exact=exact.known(truth),
     )

@@ -34,6 +34,11 @@ def follow_affordable(kappa: FloatArray, psi: FloatArray) -> Collision:
     return collide(kappa, psi, switch_limit(expected_switch_counts(kappa, psi)))
 
 
+def known(result: Collision) -> FloatArray:
+    """Return the exact ε_t, NaN for collisions that were too stiff to follow."""
+    return np.where(result.switches == TOO_STIFF, np.nan, result.epsilon_t)
+
+
 def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return ε_t and switches of collisions (N,).
 

@@ -11,7 +11,7 @@ from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
-from restitution.methods.exact import follow_affordable
+from restitution.methods.exact import follow_affordable, known
 from restitution.studies.parameters import check, scaled_velocity
 
 QUANTITIES = ("epsilon_t", "switches", "coulomb", "stiff_bound", "stiff_asymptote", "error")
@@ -96,7 +96,7 @@ def _column(name: str, kappa: FloatArray, psi: FloatArray, answer: Answer) -> Co
             case _:
                 exact = answer.exact
                 if exact is None:
-                    exact = follow_affordable(kappa, psi).epsilon_t
+                    exact = known(follow_affordable(kappa, psi))
                 return answer.epsilon_t - exact
 
 

@@ -149,7 +149,7 @@ def study_collision(
         energy=_energy(parameters.gt_over_gn, epsilon_t) if "energy" in wanted else None,
         estimates=estimates(parameters.kappa, psi) if "estimates" in wanted else None,
         sensitivity=course.sensitivity if course and "sensitivity" in wanted else None,
-        summary=_summary(epsilon_t, course, psi) if "summary" in wanted else None,
+        summary=_summary(answer, course, psi) if "summary" in wanted else None,
         limit=psi == 0.0,
         method=str(answer.method[0]),
         error_bound=float(answer.error_bound[0]),
@@ -203,11 +203,13 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
     )
 
 
-def _summary(epsilon_t: float, course: _Course | None, psi: float) -> str:
+def _summary(answer: Answer, course: _Course | None, psi: float) -> str:
+    epsilon_t, bound = float(answer.epsilon_t[0]), float(answer.error_bound[0])
     if course is None:
-        return summarise(epsilon_t, None, 0.0, 0, resting=psi == 0.0)
+        return summarise(epsilon_t, bound, None, 0.0, 0, resting=psi == 0.0)
     share = course.first_end / CONTACT_DURATION
-    return summarise(epsilon_t, course.count - 1, share, course.reversals, resting=psi == 0.0)
+    turns = course.reversals
+    return summarise(epsilon_t, bound, course.count - 1, share, turns, resting=psi == 0.0)
 
 
 def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:

@@ -1,16 +1,27 @@
 """One sentence about a collision, as a screen reader says it."""
 
+import math
+
 _TIMES = {1: "once", 2: "twice"}
 
 _LAST_WORD = 0.995
 """|ε_t| from which on the outcome is called that of smooth spheres or of gear wheels."""
 
 
+_COARSE = 0.005
+"""Error of ε_t from which on a percentage cannot be told."""
+
+
 def _percent(share: float) -> str:
     return f"{100 * share:.0f} %" if share >= 0.01 else "less than 1 %"
 
 
-def _outcome(epsilon_t: float) -> str:
+def _outcome(epsilon_t: float, error_bound: float) -> str:
+    if error_bound > _COARSE:
+        most = abs(epsilon_t) + error_bound
+        if most >= 1.0:
+            return "how much of the tangential velocity is left is not known"
+        return f"at most {math.ceil(100 * most)} % of the tangential velocity is left"
     if epsilon_t >= _LAST_WORD:
         return "the surfaces part as fast as they met, like smooth spheres"
     if epsilon_t <= -_LAST_WORD:
@@ -22,7 +33,13 @@ def _outcome(epsilon_t: float) -> str:
 
 
 def summarise(
-    epsilon_t: float, switches: int | None, first_slide: float, turns: int, *, resting: bool
+    epsilon_t: float,
+    error_bound: float,
+    switches: int | None,
+    first_slide: float,
+    turns: int,
+    *,
+    resting: bool,
 ) -> str:
     """Return how the collision went and what is left.
 
@@ -30,6 +47,8 @@ def summarise(
     ----------
     epsilon_t : float
         Coefficient of tangential restitution.
+    error_bound : float
+        Bound on its error.
     switches : int, or None
         Changes of regime; None if they were not counted.
     first_slide : float
@@ -43,7 +62,7 @@ def summarise(
         return (
             "There is no tangential motion; ε_t is the limit of ever smaller tangential velocity."
         )
-    outcome = _outcome(epsilon_t)
+    outcome = _outcome(epsilon_t, error_bound)
     if switches is None:
         return f"{outcome[0].upper()}{outcome[1:]}."
     if switches == 0:

@@ -7,6 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError
+from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
+from restitution.mechanics.collision import expected_switches
 from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray, normal_curves
 from restitution.mechanics.motion import Motion, tangential_curves
 from restitution.methods.answer import Options
@@ -73,14 +75,14 @@ def study_trace(
     CostError
         If the collision is too stiff or switches more often than `MOST_SWITCHES`.
     """
+    expected = expected_switches(parameters.kappa, parameters.psi)
+    if expected > FOLLOWED_SWITCHES:
+        raise _too_many(f"about {expected:.1e}")
     collision = study_collision(parameters, options, episode_limit=episode_limit)
     path = followed_motion(parameters)
     switch_times = path.start[1:] if path else np.empty(0)
     if switch_times.size > MOST_SWITCHES:
-        raise CostError(
-            f"this collision has {switch_times.size:,} switches; a trace shows at most "
-            f"{MOST_SWITCHES:,}. Ask for a softer one, or for /collision"
-        )
+        raise _too_many(f"{switch_times.size:,}")
     uniform = np.linspace(0.0, CONTACT_DURATION, samples)
     time = np.insert(uniform, np.searchsorted(uniform, switch_times, side="right"), switch_times)
     wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
@@ -94,6 +96,13 @@ def study_trace(
     if not wanted.keys() <= values.keys():
         values |= _tangential(parameters, path, time, cap)
     return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times)
+
+
+def _too_many(switches: str) -> CostError:
+    return CostError(
+        f"this collision has {switches} switches; a trace shows at most {MOST_SWITCHES:,}. "
+        "Ask for a softer one, or for /collision"
+    )
 
 
 # a product beyond the double range does not exist and is null in the answer
