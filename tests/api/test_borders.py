@@ -76,7 +76,6 @@ def test_switches_are_counted_when_sticking_begins_at_the_largest_compression(
     assert abs(answer["epsilon_t"] - epsilon_t) <= answer["error_bound"]
 
 
-@pytest.mark.xfail(strict=True, reason="mechanics.collision: rounding of √κ t_c decides, unsaid")
 @pytest.mark.parametrize(
     ("kappa", "switches"),
     # For ψ → 0 there are 4 where sin and cos of √κ t_c (in 120 digits) differ in sign, else 2.

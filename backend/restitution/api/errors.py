@@ -85,13 +85,15 @@ def problem(
     )
 
 
+def _sentence(parameter: str, value: object, requirement: str) -> str:
+    if value is None:
+        return f"{parameter} is missing; it must be {requirement}"
+    return f"{parameter} must be {requirement}, got {value}"
+
+
 def refused(errors: list[dict[str, Any]]) -> Response:
     """Return the answer to wrong parameters."""
-    sentences = [
-        f"{e['parameter']} must be {e['requirement']}, got "
-        f"{'nothing' if e['value'] is None else e['value']}"
-        for e in errors[:MOST_ERRORS]
-    ]
+    sentences = [_sentence(**error) for error in errors[:MOST_ERRORS]]
     if len(errors) > MOST_ERRORS:
         sentences.append("and more")
     return problem(422, "; ".join(sentences), errors[:MOST_ERRORS])

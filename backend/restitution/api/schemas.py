@@ -48,7 +48,8 @@ def _choice(allowed: tuple[str, ...]) -> str:
     return f"a comma-separated choice of {', '.join(allowed)}"
 
 
-Finite = Annotated[float, Field(allow_inf_nan=False)]
+# adding 0 makes −0 the 0 that it equals, in answers and in ETags
+Finite = Annotated[float, Field(allow_inf_nan=False), AfterValidator(lambda x: x + 0.0)]
 Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with α in it", gt=0)]
 MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
 GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]

@@ -209,7 +209,8 @@ def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[fl
         record(episodes, 0, 0.0, psi, False, 1, True)
     if phase == SLIDING_TO_THE_END:
         return 1.0 - 2.0 / psi, 0, certain
-    phase_rounding = 8.0 * ROUNDING * (1.0 + math.sqrt(kappa))
+    omega = math.sqrt(kappa)
+    phase_rounding = 8.0 * ROUNDING * (1.0 + omega)
     side = 1
     switches = 0
     while True:
@@ -224,8 +225,10 @@ def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[fl
         if switches < room:
             record(episodes, switches, q, side * towards, decompressing, side, True)
         lacking = velocity_to_stop(q, decompressing) - towards
-        certain = certain and sure
-        certain = certain and abs(lacking) > phase_rounding * (lacking + 2.0 * abs(towards))
+        # the velocity of a swing is known to the rounding of its phase, times its amplitude
+        root, _ = normal_motion(q)
+        swing = math.hypot(root * root * root / omega, towards)
+        certain = certain and sure and abs(lacking) > phase_rounding * swing
         if lacking <= 0.0:
             return -side * lacking / psi, switches, certain
         q = next_sliding_end(kappa, q, decompressing, lacking)

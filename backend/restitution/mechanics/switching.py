@@ -239,7 +239,10 @@ def sticking_end_after_compression(
     else:
         low, high, side, certain = decompression_bracket(kappa, t0, p0, amplitude, lead)
     q, u = cap_contact(omega, t0, p0, u0, decompressing, side, low, high)
-    return decompressing, q, side, u, certain
+    root, _ = normal_motion(q)
+    # a spring that meets the cap next to z = 0 may, for all its rounded phase tells, be behind it
+    beyond_phase = root * root * root > 8.0 * ROUNDING * (1.0 + omega) * amplitude
+    return decompressing, q, side, u, certain and beyond_phase
 
 
 @compiled

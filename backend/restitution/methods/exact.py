@@ -13,8 +13,8 @@ from restitution.mechanics.collision import (
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Answer, Options
 
-MOST_SWITCHES_PER_REQUEST = 50_000_000
-"""About ten seconds of one core, at 0.2 µs for a switch."""
+MOST_SWITCHES_PER_REQUEST = 20_000_000
+"""About four seconds of one core, at 0.2 µs for a switch."""
 
 
 def switch_limit(expected: FloatArray) -> float:
