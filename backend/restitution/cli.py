@@ -4,6 +4,7 @@ import click
 import uvicorn
 
 from restitution.api.app import create_app
+from restitution.api.page import compress_plotly
 from restitution.api.warm import warm as warm_kernels
 
 
@@ -23,5 +24,6 @@ def serve(host: str, port: int) -> None:
 
 @main.command()
 def warm() -> None:
-    """Compile the kernels into the cache."""
+    """Compile the kernels and compress plotly.js into the cache."""
     warm_kernels()
+    compress_plotly()
