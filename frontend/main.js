@@ -9,6 +9,7 @@ import { afterNextFrame, announcePainted } from "./panels/painted.js";
 import { mountParameterControl } from "./panels/parameter-control.js";
 import { mountPresets } from "./panels/presets.js";
 import { mountResultStrip } from "./panels/result-strip.js";
+import { mountShell } from "./panels/shell.js";
 import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
@@ -35,6 +36,7 @@ const addressBar = createAddressBar((state, wrong) => {
 
 const banner = mountMessage(byTestId("banner"));
 const notice = mountMessage(byTestId("notice"));
+const shell = mountShell({ present: store.get, onOption: (patch) => store.set(patch) });
 const strip = mountResultStrip(byTestId("result"));
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
@@ -120,6 +122,7 @@ function changeCollision(patch, change) {
 
 /** What is known without asking anyone. @param {PageState} state */
 function showState(state) {
+  shell.show(state);
   for (const { key, show } of controls) {
     show(state.collision[key]);
   }
@@ -187,6 +190,7 @@ async function loadCollision({ collision }, signal) {
 function showCollision({ result, trace, reason }, { change }) {
   strip.show(result, change.dragging);
   map.legend.point(result);
+  shell.caption(result);
   let isLight = false;
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
