@@ -1,12 +1,20 @@
 // @ts-check
 
-import { createClient, Refused, Unreachable } from "./api/client.js";
+import {
+  collisionQuery,
+  createClient,
+  mapQuery,
+  Refused,
+  traceQuery,
+  Unreachable,
+} from "./api/client.js";
 import { SYMBOLS } from "./format/symbols.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
 import { afterNextFrame, announcePainted } from "./panels/painted.js";
 import { mountParameterControl } from "./panels/parameter-control.js";
+import { mountPictures } from "./panels/pictures.js";
 import { mountPresets } from "./panels/presets.js";
 import { mountResultStrip } from "./panels/result-strip.js";
 import { mountShell } from "./panels/shell.js";
@@ -82,6 +90,8 @@ const maps = createMapLoader({
 
 /** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
 let shownMap = null;
+/** @type {Awaited<ReturnType<typeof loadCollision>> | null} */
+let shownCollision = null;
 let presetsAreHere = false;
 
 const connection = createConnection({
@@ -91,6 +101,16 @@ const connection = createConnection({
     banner.clear();
     loadAll();
   },
+});
+
+mountPictures({
+  present: store.get,
+  shown: () => ({
+    result: shownCollision?.result ?? null,
+    trace: shownCollision?.trace ?? null,
+    map: shownMap,
+  }),
+  queries: { collision: collisionQuery, trace: traceQuery, map: mapQuery },
 });
 
 store.subscribe((state, previous, change) => {
@@ -187,7 +207,9 @@ async function loadCollision({ collision }, signal) {
  * @param {Awaited<ReturnType<typeof loadCollision>>} answer
  * @param {{change: Change}} wish
  */
-function showCollision({ result, trace, reason }, { change }) {
+function showCollision(answer, { change }) {
+  shownCollision = answer;
+  const { result, trace, reason } = answer;
   strip.show(result, change.dragging);
   map.legend.point(result);
   shell.caption(result);
