@@ -69,7 +69,7 @@ function traceTable(trace, what, columns) {
   const isSwitch = new Set(marked);
   return {
     caption: `${what} during the contact: ${indices.length} of ${time.length} instants, the switches among them. CSV and JSON hold all.`,
-    headings: ["time t", ...Object.keys(columns), "regime"],
+    headings: ["time", ...Object.keys(columns), "regime"],
     rows: indices.map((i) => [
       significant(time[i]),
       ...Object.values(columns).map((column) => significant(column[i])),

@@ -45,8 +45,8 @@ parameters = {
 ${lines.join("\n")}
 }
 with urlopen("${origin}/api/v1/${call}?" + urlencode(parameters)) as answer:
-    ${call} = json.load(answer)
-print(list(${call}))`;
+    result = json.load(answer)
+print(list(result))`;
 }
 
 /**

@@ -141,6 +141,7 @@ export function mountMap(element, { onPlace, onOption }) {
       plot.show(map);
       drawLegend();
       moveCrosshair();
+      describeCrosshair();
       plotElement.setAttribute(
         "aria-label",
         `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and g_t/g_n from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,

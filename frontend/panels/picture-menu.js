@@ -13,6 +13,7 @@ const GAP = 4;
  * What the menu of a picture needs to know of it, asked when the menu is used.
  * @typedef {object} Picture
  * @property {string} title
+ * @property {() => string} [subject] what of several things it shows, for titles and names of files
  * @property {() => import("../format/requests.js").Request} request whose answer it shows
  * @property {() => Record<string, number | string>} parameters that name its files
  * @property {() => import("../figures/tables.js").Table | null} [table] null while there is no picture
@@ -84,7 +85,7 @@ export function mountPictureMenu(panel, picture, present) {
     table.hidden = !picture.table || !isHere;
     for (const { format, link } of data) {
       link.href = addressOf({ ...request, query: { ...request.query, format } });
-      link.download = fileName(name, picture.parameters(), format);
+      link.download = fileName(fileSubject(), picture.parameters(), format);
     }
   });
   for (const [target, kind] of [
@@ -142,15 +143,20 @@ export function mountPictureMenu(panel, picture, present) {
     return element;
   }
 
+  function fileSubject() {
+    return [name, picture.subject?.() ?? []].flat().join("-");
+  }
+
   /** @param {"png" | "svg"} format */
   function save(format) {
     if (plot) {
+      const subject = picture.subject?.() ?? "";
       const parameters = Object.entries(picture.parameters());
-      const numbers = parameters.map(([key, value]) => `${PLAIN[key] ?? key} = ${value}`);
+      const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
       savePicture(plot, {
         format,
-        title: `${picture.title} · ${numbers.join(", ")}`,
-        fileName: fileName(name, picture.parameters(), format),
+        title: `${[picture.title, MARKUP[subject] ?? subject].join(" ").trim()} · ${numbers.join(", ")}`,
+        fileName: fileName(fileSubject(), picture.parameters(), format),
         place: picture.place?.() ?? null,
       });
     }
@@ -184,7 +190,8 @@ function group(name, items) {
 }
 
 /** @type {Record<string, string>} */
-const PLAIN = {
+const MARKUP = {
+  epsilon_t: "<i>ε</i><sub>t</sub>",
   kappa: "<i>κ</i>",
   mu_over_alpha: "<i>μ</i>/<i>α</i>",
   gt_over_gn: "<i>g</i><sub>t</sub>/<i>g</i><sub>n</sub>",

@@ -52,6 +52,7 @@ export function mountPictures({ present, shown, queries }) {
     },
     map: {
       title: "Map",
+      subject: () => present().map,
       request() {
         const { collision, scale } = present();
         const view = shown().map?.view ?? mapView(collision, scale);

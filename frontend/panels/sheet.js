@@ -54,7 +54,9 @@ export function tableElement({ caption, headings, rows, here }) {
   frame.tabIndex = 0;
   frame.setAttribute("role", "region");
   frame.setAttribute("aria-label", "Table");
-  typeset(table.createCaption(), caption);
+  const captionText = document.createElement("span");
+  typeset(captionText, caption);
+  table.createCaption().append(captionText);
   const head = table.createTHead().insertRow();
   head.append(...headings.map((text) => headingCell(text, "col")));
   const body = table.createTBody();
