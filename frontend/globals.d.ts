@@ -6,5 +6,9 @@ declare const Plotly: {
     layout: Record<string, any>,
     config: Record<string, any>,
   ): Promise<void>;
+  toImage(
+    figure: Record<string, any>,
+    options: { format: "png" | "svg"; width: number; height: number; scale?: number },
+  ): Promise<string>;
   purge(element: HTMLElement): void;
 };

@@ -1,14 +1,23 @@
 // @ts-check
 
-import { createClient, Refused, Unreachable } from "./api/client.js";
+import {
+  collisionQuery,
+  createClient,
+  mapQuery,
+  Refused,
+  traceQuery,
+  Unreachable,
+} from "./api/client.js";
 import { SYMBOLS } from "./format/symbols.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
 import { afterNextFrame, announcePainted } from "./panels/painted.js";
 import { mountParameterControl } from "./panels/parameter-control.js";
+import { mountPictures } from "./panels/pictures.js";
 import { mountPresets } from "./panels/presets.js";
 import { mountResultStrip } from "./panels/result-strip.js";
+import { mountShell } from "./panels/shell.js";
 import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
@@ -35,6 +44,7 @@ const addressBar = createAddressBar((state, wrong) => {
 
 const banner = mountMessage(byTestId("banner"));
 const notice = mountMessage(byTestId("notice"));
+const shell = mountShell({ present: store.get, onOption: (patch) => store.set(patch) });
 const strip = mountResultStrip(byTestId("result"));
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
@@ -80,6 +90,8 @@ const maps = createMapLoader({
 
 /** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
 let shownMap = null;
+/** @type {Awaited<ReturnType<typeof loadCollision>> | null} */
+let shownCollision = null;
 let presetsAreHere = false;
 
 const connection = createConnection({
@@ -89,6 +101,16 @@ const connection = createConnection({
     banner.clear();
     loadAll();
   },
+});
+
+mountPictures({
+  present: store.get,
+  shown: () => ({
+    result: shownCollision?.result ?? null,
+    trace: shownCollision?.trace ?? null,
+    map: shownMap,
+  }),
+  queries: { collision: collisionQuery, trace: traceQuery, map: mapQuery },
 });
 
 store.subscribe((state, previous, change) => {
@@ -120,6 +142,7 @@ function changeCollision(patch, change) {
 
 /** What is known without asking anyone. @param {PageState} state */
 function showState(state) {
+  shell.show(state);
   for (const { key, show } of controls) {
     show(state.collision[key]);
   }
@@ -184,9 +207,12 @@ async function loadCollision({ collision }, signal) {
  * @param {Awaited<ReturnType<typeof loadCollision>>} answer
  * @param {{change: Change}} wish
  */
-function showCollision({ result, trace, reason }, { change }) {
+function showCollision(answer, { change }) {
+  shownCollision = answer;
+  const { result, trace, reason } = answer;
   strip.show(result, change.dragging);
   map.legend.point(result);
+  shell.caption(result);
   let isLight = false;
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);

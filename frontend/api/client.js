@@ -81,7 +81,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
      * @returns {Promise<CollisionAnswer>}
      */
     async collision(collision, signal) {
-      const query = new URLSearchParams({ ...inWords(collision), episode_limit: "0" });
+      const query = new URLSearchParams({ ...collisionQuery(collision), episode_limit: "0" });
       const { body, milliseconds } = await get(`${base}/collision?${query}`, signal);
       return { ...body, milliseconds };
     },
@@ -92,12 +92,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
      * @returns {Promise<Trace>}
      */
     async trace(collision, signal) {
-      const query = new URLSearchParams({
-        ...inWords(collision),
-        samples: String(samplesFor(collision.kappa)),
-        quantities: TRACE_COLUMNS,
-        encoding: "base64",
-      });
+      const query = new URLSearchParams({ ...traceQuery(collision), encoding: "base64" });
       const { body, milliseconds } = await get(`${base}/trace?${query}`, signal);
       return /** @type {Trace} */ ({ ...decodeArrays(body), milliseconds });
     },
@@ -111,15 +106,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
      */
     async map(muOverAlpha, view, counts, signal) {
       const query = new URLSearchParams({
-        mu_over_alpha: String(muOverAlpha),
-        kappa_min: String(view.kappa.min),
-        kappa_max: String(view.kappa.max),
-        kappa_count: String(counts.kappa),
-        kappa_scale: view.scale,
-        gt_over_gn_min: String(view.gtOverGn.min),
-        gt_over_gn_max: String(view.gtOverGn.max),
-        gt_over_gn_count: String(counts.gtOverGn),
-        gt_over_gn_scale: view.scale,
+        ...mapQuery(muOverAlpha, view, counts),
         encoding: "base64",
       });
       const { body } = await get(`${base}/map?${query}`, signal);
@@ -139,6 +126,40 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
         return false;
       }
     },
+  };
+}
+
+/** What `/collision` is asked. @param {import("../state/parameters.js").Collision} collision */
+export function collisionQuery({ kappa, mu_over_alpha, gt_over_gn }) {
+  return inWords({ kappa, mu_over_alpha, gt_over_gn });
+}
+
+/** What `/trace` is asked. @param {import("../state/parameters.js").Collision} collision */
+export function traceQuery(collision) {
+  return {
+    ...collisionQuery(collision),
+    samples: String(samplesFor(collision.kappa)),
+    quantities: TRACE_COLUMNS,
+  };
+}
+
+/**
+ * What `/map` is asked.
+ * @param {number} muOverAlpha
+ * @param {import("../state/map-view.js").MapView} view
+ * @param {{kappa: number, gtOverGn: number}} counts
+ */
+export function mapQuery(muOverAlpha, view, counts) {
+  return {
+    mu_over_alpha: String(muOverAlpha),
+    kappa_min: String(view.kappa.min),
+    kappa_max: String(view.kappa.max),
+    kappa_count: String(counts.kappa),
+    kappa_scale: view.scale,
+    gt_over_gn_min: String(view.gtOverGn.min),
+    gt_over_gn_max: String(view.gtOverGn.max),
+    gt_over_gn_count: String(counts.gtOverGn),
+    gt_over_gn_scale: view.scale,
   };
 }
 

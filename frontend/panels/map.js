@@ -2,11 +2,23 @@
 
 import { mapFigure, mostSwitches } from "../figures/map-figure.js";
 import { MAP_MARGIN } from "../figures/plot-area.js";
+import { typable } from "../format/number.js";
 import { collisionAt, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
 import { onThemeChange } from "./theme.js";
+
+/** One press of an arrow key, as a share of the map. */
+const KEY_STEP = 0.005;
+
+/** @type {Record<string, {right: number, up: number} | undefined>} */
+const DIRECTIONS = {
+  ArrowRight: { right: 1, up: 0 },
+  ArrowLeft: { right: -1, up: 0 },
+  ArrowUp: { right: 0, up: 1 },
+  ArrowDown: { right: 0, up: -1 },
+};
 
 /**
  * The map with its crosshair, which is laid over the plot so that moving it draws nothing anew.
@@ -32,6 +44,7 @@ export function mountMap(element, { onPlace, onOption }) {
   /** @type {DOMRect | null} */
   let box = null;
   let chosen = "";
+  let isMoving = false;
 
   /**
    * @param {PointerEvent} event
@@ -61,10 +74,48 @@ export function mountMap(element, { onPlace, onOption }) {
   crosshair.addEventListener("lostpointercapture", (event) => {
     onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
   });
+  crosshair.addEventListener("keydown", (event) => {
+    const direction = DIRECTIONS[event.key];
+    if (direction && shown && present) {
+      event.preventDefault();
+      const at = placeOnMap(shown.view, present);
+      const step = event.shiftKey ? 10 * KEY_STEP : KEY_STEP;
+      const next = collisionAt(
+        shown.view,
+        at.x + step * direction.right,
+        at.y + step * direction.up,
+      );
+      // The other of the two stays to the last digit.
+      const moved = direction.right ? { kappa: next.kappa } : { gt_over_gn: next.gt_over_gn };
+      onPlace(moved, { dragging: true, inputTimeStamp: event.timeStamp });
+      isMoving = true;
+    }
+  });
+  for (const kind of ["keyup", "blur"]) {
+    crosshair.addEventListener(kind, (event) => {
+      if (isMoving) {
+        isMoving = false;
+        onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
+        describeCrosshair();
+      }
+    });
+  }
+  crosshair.addEventListener("focus", describeCrosshair);
   element.addEventListener("change", (event) => {
     const { name, value } = /** @type {HTMLInputElement} */ (event.target);
     onOption({ [name]: value });
   });
+
+  /** In words, but not at every step of a drag. */
+  function describeCrosshair() {
+    if (present) {
+      const { kappa, gt_over_gn: ratio } = present;
+      crosshair.setAttribute(
+        "aria-label",
+        `κ ${typable(kappa)}, g_t/g_n ${typable(ratio)}. Arrow keys move it, with Shift in large steps.`,
+      );
+    }
+  }
 
   function drawLegend() {
     if (shown) {
@@ -90,9 +141,10 @@ export function mountMap(element, { onPlace, onOption }) {
       plot.show(map);
       drawLegend();
       moveCrosshair();
+      describeCrosshair();
       plotElement.setAttribute(
         "aria-label",
-        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution"} over κ and g_t/g_n; the sliders of κ and g_t/g_n move the crosshair.`,
+        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and g_t/g_n from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,
       );
     },
 

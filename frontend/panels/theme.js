@@ -2,28 +2,51 @@
 
 import { THEME_PROPERTIES } from "../figures/theme.js";
 
+const root = document.documentElement;
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
 /** @type {import("../figures/theme.js").Theme | null} */
 let known = null;
+/** @type {Set<() => void>} */
+const listeners = new Set();
 
 // Very large windows have larger type.
 addEventListener("resize", () => {
   known = null;
 });
+darkScheme.addEventListener("change", tell);
+new MutationObserver(tell).observe(root, { attributeFilter: ["data-theme"] });
+
+function tell() {
+  known = null;
+  for (const listener of listeners) {
+    listener();
+  }
+}
 
 /** The colours in force, read from the style sheet once for each scheme. */
 export function currentTheme() {
   if (!known) {
-    const style = getComputedStyle(document.documentElement);
+    const style = getComputedStyle(root);
+    const dark = root.dataset.theme ? root.dataset.theme === "dark" : darkScheme.matches;
     const values = Object.entries(THEME_PROPERTIES).map(([name, property]) => [
       name,
-      style.getPropertyValue(property).trim(),
+      inScheme(style.getPropertyValue(property).trim(), dark),
     ]);
     const unit = Number.parseFloat(style.fontSize) / 16;
-    known = { dark: darkScheme.matches, unit, ...Object.fromEntries(values) };
+    known = { dark, unit, ...Object.fromEntries(values) };
   }
   return /** @type {import("../figures/theme.js").Theme} */ (known);
+}
+
+/**
+ * A custom property holds both colours still: which of them counts is decided where it is used.
+ * @param {string} value
+ * @param {boolean} dark
+ */
+function inScheme(value, dark) {
+  const both = /^light-dark\(([^,]+),([^,]+)\)$/.exec(value);
+  return both ? both[dark ? 2 : 1].trim() : value;
 }
 
 /**
@@ -31,10 +54,6 @@ export function currentTheme() {
  * @returns {() => void} ends it
  */
 export function onThemeChange(listener) {
-  const changed = () => {
-    known = null;
-    listener();
-  };
-  darkScheme.addEventListener("change", changed);
-  return () => darkScheme.removeEventListener("change", changed);
+  listeners.add(listener);
+  return () => listeners.delete(listener);
 }

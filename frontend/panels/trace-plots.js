@@ -2,6 +2,7 @@
 
 import { forceFigure } from "../figures/force-figure.js";
 import { velocityFigure } from "../figures/velocity-figure.js";
+import { significant } from "../format/number.js";
 import { find } from "./find.js";
 import { createPlot } from "./plot.js";
 import { typeset } from "./typeset.js";
@@ -37,7 +38,7 @@ export function mountVelocity(element) {
       const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
       element.setAttribute(
         "aria-label",
-        `Tangential velocity, from ${before} to ${after} in ${trace.reversals} turns.`,
+        `Tangential velocity g_t/g_n over the contact, from ${significant(before)} to ${significant(after)}; it turns round ${trace.reversals} times.`,
       );
     },
   };

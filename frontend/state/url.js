@@ -2,11 +2,19 @@
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { PARAMETERS, parseParameter } from "./parameters.js";
+import { SCENES } from "./scenes.js";
 
 /** The options that are words, each with what it may be; the first is the default. */
 const WORDS = {
   map: ["epsilon_t", "switches"],
   scale: ["linear", "log"],
+};
+
+/** The same of the page around the pictures; they stand in the address only where they are not the first. */
+const PAGE_WORDS = {
+  scene: SCENES.map(({ id }) => id),
+  theme: ["system", "light", "dark"],
+  embed: ["none", "result", "force", "velocity", "map"],
 };
 
 /**
@@ -15,6 +23,9 @@ const WORDS = {
  * @property {import("./parameters.js").Collision} collision
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the map's axes
+ * @property {string} scene
+ * @property {"system" | "light" | "dark"} theme
+ * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
 
 /**
@@ -40,7 +51,7 @@ export function readAddress(search) {
   }
   /** @type {Record<string, string>} */
   const words = {};
-  for (const [key, allowed] of Object.entries(WORDS)) {
+  for (const [key, allowed] of Object.entries({ ...WORDS, ...PAGE_WORDS })) {
     const text = query.get(key);
     if (text !== null && !allowed.includes(text)) {
       problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
@@ -54,13 +65,19 @@ export function readAddress(search) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, map, scale }) {
+export function writeAddress({ collision, map, scale, ...page }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     query.set(key, String(collision[key]));
   }
   query.set("map", map);
   query.set("scale", scale);
+  for (const [key, [usual]] of Object.entries(PAGE_WORDS)) {
+    const word = page[/** @type {keyof typeof page} */ (key)];
+    if (word !== usual) {
+      query.set(key, word);
+    }
+  }
   return `?${query}`;
 }
 

@@ -5,16 +5,14 @@ import { test } from "node:test";
 import { THEME_PROPERTIES } from "../../frontend/figures/theme.js";
 import { contrast } from "./contrast.js";
 
-const [light, dark] = readFileSync(
-  new URL("../../frontend/styles/tokens.css", import.meta.url),
-  "utf8",
-)
-  .split("@media (prefers-color-scheme: dark)")
-  .map((part) =>
-    Object.fromEntries([...part.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map((m) => m.slice(1))),
-  );
+const sheet = readFileSync(new URL("../../frontend/styles/tokens.css", import.meta.url), "utf8");
+const written = [...sheet.matchAll(/(--[\w-]+):\s*([^;]+);/g)].map((m) => [m[1], m[2].trim()]);
+const pairs = written.map(([key, value]) => [key, /^light-dark\((.+), (.+)\)$/.exec(value)]);
+const two = Object.fromEntries(pairs.filter(([, pair]) => pair));
+const colorsOf = (which) =>
+  Object.fromEntries(written.map(([key, value]) => [key, two[key]?.[which] ?? value]));
 
-const schemes = { light, dark: { ...light, ...dark } };
+const schemes = { light: colorsOf(1), dark: colorsOf(2) };
 
 for (const [name, token] of Object.entries(schemes)) {
   test(`text has the contrast of WCAG AA on its ground, ${name}`, () => {
@@ -47,6 +45,6 @@ for (const [name, token] of Object.entries(schemes)) {
 }
 
 test("the dark scheme has a colour of its own for everything that a figure draws", () => {
-  const shared = Object.values(THEME_PROPERTIES).filter((property) => !(property in dark));
+  const shared = Object.values(THEME_PROPERTIES).filter((property) => !(property in two));
   assert.deepEqual(shared, ["--sans"]);
 });

@@ -5,6 +5,8 @@ import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
+const USUAL_PAGE = { scene: "explorer", theme: "system", embed: "none" };
+
 test("readAddress gives back exactly the state that writeAddress wrote", () => {
   const numbers = spreadNumbers(5, 300, 1e-300, 1e300);
   for (let i = 0; i < numbers.length; i += 3) {
@@ -13,6 +15,9 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       collision: { kappa, mu_over_alpha, gt_over_gn },
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
+      scene: "explorer",
+      theme: ["system", "light", "dark"][i % 3],
+      embed: ["none", "force", "map"][(i >> 1) % 3],
     };
     assert.deepEqual(readAddress(writeAddress(state)), { state, problems: [] });
   }
@@ -20,7 +25,12 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
 
 test("readAddress of nothing is the usual state, without complaint", () => {
   const { state, problems } = readAddress("");
-  assert.deepEqual(state, { collision: INITIAL_COLLISION, map: "epsilon_t", scale: "linear" });
+  assert.deepEqual(state, {
+    collision: INITIAL_COLLISION,
+    map: "epsilon_t",
+    scale: "linear",
+    ...USUAL_PAGE,
+  });
   assert.deepEqual(problems, []);
 });
 
@@ -32,6 +42,7 @@ test("readAddress replaces nonsense by the usual value and names each piece of i
     collision: { ...INITIAL_COLLISION, gt_over_gn: 0.5 },
     map: "epsilon_t",
     scale: "log",
+    ...USUAL_PAGE,
   });
   assert.deepEqual(problems, [
     "κ must be a number greater than 0, not “-3”",
@@ -43,4 +54,10 @@ test("readAddress replaces nonsense by the usual value and names each piece of i
 test("readAddress repeats only the beginning of a very long piece of nonsense", () => {
   const [problem] = readAddress(`?kappa=${"x".repeat(10_000)}`).problems;
   assert.ok(problem.length < 100);
+});
+
+test("writeAddress leaves out what is usual of the page, and holds what is not", () => {
+  const usual = readAddress("").state;
+  assert.doesNotMatch(writeAddress(usual), /scene|theme|embed/);
+  assert.match(writeAddress({ ...usual, theme: "dark", embed: "map" }), /&theme=dark&embed=map$/);
 });

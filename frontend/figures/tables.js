@@ -1,0 +1,121 @@
+// @ts-check
+
+import { ABSENT, errorBound, percentage, significant, typable } from "../format/number.js";
+import { placesAmong, spreadIndices } from "./sample.js";
+
+/**
+ * A picture's numbers, as many as one can read. Headings and caption are texts with symbols as ε_t.
+ * @typedef {object} Table
+ * @property {string} caption
+ * @property {string[]} headings of the columns, the first is that of the rows' own heads
+ * @property {string[][]} rows
+ * @property {number} [here] the row of the present collision
+ */
+
+/** Rows that sample a trace, to which its switches are added. */
+const TRACE_ROWS = 40;
+const SWITCH_ROWS = 60;
+const MAP_ROWS = 12;
+const MAP_COLUMNS = 8;
+
+/** @typedef {import("../api/client.js").Trace} Trace */
+
+/** @param {import("../api/client.js").CollisionAnswer} result @returns {Table} */
+export function resultTable(result) {
+  const { kappa, mu_over_alpha: mu, gt_over_gn: gt, psi } = result.parameters;
+  const { initial, dissipated } = result.energy;
+  return {
+    caption: `The collision: ${result.summary}`,
+    headings: ["quantity", "value"],
+    rows: [
+      ["κ", typable(kappa)],
+      ["μ/α", typable(mu)],
+      ["g_t/g_n", typable(gt)],
+      ["ψ", significant(psi ?? Infinity)],
+      ["ε_t", significant(result.epsilon_t, 8)],
+      ["error of ε_t", errorBound(result.error_bound)],
+      ["switches", String(result.switches ?? ABSENT)],
+      ["turns", String(result.reversals ?? ABSENT)],
+      ["contact t_c", significant(result.contact_duration, 6)],
+      ["energy lost", percentage(initial > 0 ? dissipated / initial : 0)],
+      ["method", result.method],
+    ],
+  };
+}
+
+/** @param {Trace} trace @returns {Table} */
+export function forceTable(trace) {
+  return traceTable(trace, "Forces", {
+    "F_t/μ": trace.tangential_force_over_mu,
+    F_n: trace.normal_force,
+  });
+}
+
+/** @param {Trace} trace @returns {Table} */
+export function velocityTable(trace) {
+  return traceTable(trace, "Tangential velocity", { "g_t(t)/g_n": trace.tangential_velocity });
+}
+
+/**
+ * @param {Trace} trace
+ * @param {string} what
+ * @param {Record<string, Float64Array>} columns
+ * @returns {Table}
+ */
+function traceTable(trace, what, columns) {
+  const { time, switch_times: switches } = trace;
+  const marked = placesAmong(time, [...switches].slice(0, SWITCH_ROWS));
+  const indices = spreadIndices(time.length, TRACE_ROWS, marked);
+  const isSwitch = new Set(marked);
+  return {
+    caption: `${what} during the contact: ${indices.length} of ${time.length} instants, the switches among them. CSV and JSON hold all.`,
+    headings: ["time", ...Object.keys(columns), "regime"],
+    rows: indices.map((i) => [
+      significant(time[i]),
+      ...Object.values(columns).map((column) => significant(column[i])),
+      `${regimeAt(trace, time[i])}${isSwitch.has(i) ? ", from here" : ""}`,
+    ]),
+  };
+}
+
+/**
+ * The regime that holds or begins at an instant; the list of episodes may end before the contact does.
+ * @param {Trace} trace
+ * @param {number} instant
+ */
+function regimeAt({ episodes, contact_duration: duration }, instant) {
+  const episode = episodes.find(
+    ({ start, end }) => instant >= start && (instant < end || end >= duration),
+  );
+  if (!episode) {
+    return "–";
+  }
+  if (episode.regime === "sticking") {
+    return "sticks";
+  }
+  return episode.direction < 0 ? "slides back" : "slides";
+}
+
+/**
+ * Every so many cells of the map, and those nearest to the present collision.
+ * @param {{grid: import("../api/client.js").MapGrid, quantity: "epsilon_t" | "switches"}} map
+ * @param {import("../state/parameters.js").Collision} collision
+ * @returns {Table}
+ */
+export function mapTable({ grid, quantity }, collision) {
+  const { kappa, gt_over_gn: gtOverGn } = grid;
+  const [column] = placesAmong(kappa, [collision.kappa]);
+  const [row] = placesAmong(gtOverGn, [collision.gt_over_gn]);
+  const columns = spreadIndices(kappa.length, MAP_COLUMNS, [column]);
+  const rows = spreadIndices(gtOverGn.length, MAP_ROWS, [row]).reverse();
+  const name = quantity === "switches" ? "Number of switches" : "ε_t";
+  return {
+    caption: `${name} over κ (columns) and g_t/g_n (rows) at μ/α = ${significant(collision.mu_over_alpha)}: some cells of the map, those nearest to the present collision among them. CSV and JSON hold all.`,
+    headings: ["g_t/g_n", ...columns.map((k) => `κ ${significant(kappa[k], 3)}`)],
+    rows: rows.map((i) => [
+      significant(gtOverGn[i], 3),
+      ...columns.map((k) => significant(grid[quantity][i][k], 3)),
+    ]),
+    here: rows.indexOf(row),
+  };
+}

@@ -1,0 +1,77 @@
+// @ts-check
+
+/**
+ * A request as the API takes it.
+ * @typedef {object} Request
+ * @property {string} call as in `/trace`, without the slash
+ * @property {Record<string, string>} query
+ */
+
+/** Marks of a URL's query that need no escaping there and read better without. */
+const PLAIN_MARKS = /%2C/g;
+
+/**
+ * The address of a request.
+ * @param {Request} request
+ * @param {string} [origin] of the server, nothing for this page's own
+ */
+export function addressOf({ call, query }, origin = "") {
+  return `${origin}/api/v1/${call}?${String(new URLSearchParams(query)).replace(PLAIN_MARKS, ",")}`;
+}
+
+/**
+ * The request as a line for a shell.
+ * @param {Request} request
+ * @param {string} origin
+ */
+export function curlOf(request, origin) {
+  return `curl "${addressOf(request, origin)}"`;
+}
+
+/**
+ * The request as a Python program that needs no package.
+ * @param {Request} request
+ * @param {string} origin
+ */
+export function pythonOf({ call, query }, origin) {
+  const lines = Object.entries(query).map(
+    ([key, value]) => `    "${key}": ${isNumber(value) ? value : JSON.stringify(value)},`,
+  );
+  return `import json
+from urllib.parse import urlencode
+from urllib.request import urlopen
+
+parameters = {
+${lines.join("\n")}
+}
+with urlopen("${origin}/api/v1/${call}?" + urlencode(parameters)) as answer:
+    result = json.load(answer)
+print(list(result))`;
+}
+
+/**
+ * The frame that shows one panel on another page.
+ * @param {string} address
+ * @param {string} title
+ */
+export function frameOf(address, title) {
+  const quoted = address.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
+  return `<iframe src="${quoted}" title="${title}" width="720" height="480" loading="lazy" style="border: 0"></iframe>`;
+}
+
+/**
+ * A file name that says what is in it and for which numbers: `restitution-force-kappa-63-….csv`.
+ * @param {string} what
+ * @param {Record<string, number | string>} parameters
+ * @param {string} extension
+ */
+export function fileName(what, parameters, extension) {
+  const parts = Object.entries(parameters).flatMap(([key, value]) => [key, String(value)]);
+  const words = ["restitution", what, ...parts].map((part) => part.replace(/[^\w.+-]+/g, ""));
+  return `${words.join("-")}.${extension}`;
+}
+
+/** @param {string} text */
+function isNumber(text) {
+  return /^[+-]?\d+(\.\d+)?(e[+-]?\d+)?$/i.test(text);
+}

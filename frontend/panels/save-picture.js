@@ -1,0 +1,86 @@
+// @ts-check
+
+import { currentTheme } from "./theme.js";
+
+const CONFIG = { staticPlot: true, showSendToCloud: false };
+/** A bitmap for a slide: so many pixels to one of the page. */
+const BITMAP_SCALE = 3;
+const TITLE_PIXELS = 34;
+const SCALE_PIXELS = 52;
+/** The quadrants of a plot's own frame, in which 0 and 1 are its edges. */
+const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
+
+/**
+ * Saves what a Plotly element shows, on the page's ground and under a title.
+ * @param {HTMLElement} element
+ * @param {object} options
+ * @param {"png" | "svg"} options.format
+ * @param {string} options.title
+ * @param {string} options.fileName
+ * @param {{x: number, y: number} | null} [options.place] of the crosshair, as shares from the top left
+ */
+export async function savePicture(element, { format, title, fileName, place }) {
+  const { data, layout } = /** @type {any} */ (element);
+  const theme = currentTheme();
+  const head = TITLE_PIXELS * theme.unit;
+  const isColored = data.some(hasColors);
+  const side = isColored ? SCALE_PIXELS * theme.unit : 0;
+  const [width, height] = [layout.width + side, layout.height + head];
+  const line = { color: theme.ink, width: theme.unit };
+  const figure = {
+    data: data.map((/** @type {Record<string, any>} */ trace) => withScale(trace, theme)),
+    layout: {
+      ...layout,
+      width,
+      height,
+      margin: { ...layout.margin, t: layout.margin.t + head, r: layout.margin.r + side },
+      paper_bgcolor: theme.paper,
+      plot_bgcolor: theme.paper,
+      title: {
+        text: title,
+        x: layout.margin.l / width,
+        xanchor: "left",
+        y: 1 - (0.55 * head) / height,
+        yanchor: "middle",
+        font: { size: 13 * theme.unit, color: theme.ink },
+      },
+      shapes: [
+        ...(layout.shapes ?? []),
+        ...(place
+          ? [
+              { ...IN_FRAME, x0: place.x, x1: place.x, y0: 0, y1: 1, line },
+              { ...IN_FRAME, x0: 0, x1: 1, y0: 1 - place.y, y1: 1 - place.y, line },
+            ]
+          : []),
+      ],
+    },
+    config: CONFIG,
+  };
+  const scale = format === "png" ? BITMAP_SCALE : 1;
+  const link = document.createElement("a");
+  link.href = await Plotly.toImage(figure, { format, width, height, scale });
+  link.download = fileName;
+  link.click();
+}
+
+/** @param {Record<string, any>} trace */
+function hasColors({ type }) {
+  return type === "heatmap";
+}
+
+/**
+ * A map with its scale of colours, which on the page is no part of the plot.
+ * @param {Record<string, any>} trace
+ * @param {import("../figures/theme.js").Theme} theme
+ */
+function withScale(trace, { unit, inkSoft }) {
+  const colorbar = {
+    thickness: 10 * unit,
+    outlinewidth: 0,
+    len: 1,
+    ypad: 0,
+    dtick: trace.zmax > 1 ? 2 : 0.5,
+    tickfont: { size: 11 * unit, color: inkSoft },
+  };
+  return hasColors(trace) ? { ...trace, showscale: true, colorbar } : trace;
+}

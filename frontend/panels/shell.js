@@ -1,0 +1,115 @@
+// @ts-check
+
+import { significant, typable } from "../format/number.js";
+import { SCENES } from "../state/scenes.js";
+import { writeAddress } from "../state/url.js";
+import { copyText } from "./copy.js";
+import { byTestId } from "./find.js";
+import { typeset } from "./typeset.js";
+
+/** @typedef {import("../state/url.js").PageState} PageState */
+
+/** So long, in ms, a button says that it has done its work. */
+const SAID = 2000;
+
+/**
+ * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
+ * @param {object} handlers
+ * @param {() => PageState} handlers.present
+ * @param {(patch: Partial<PageState>) => void} handlers.onOption
+ */
+export function mountShell({ present, onOption }) {
+  const root = document.documentElement;
+  const theme = /** @type {HTMLSelectElement} */ (byTestId("theme"));
+  const share = byTestId("share");
+  const scenes = byTestId("scenes");
+  const caption = byTestId("embed-caption");
+  const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
+  const usualName = share.textContent;
+  let shown = "";
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  const links = SCENES.map(({ id, title }) => {
+    const link = document.createElement("a");
+    link.textContent = title;
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      onOption({ scene: id });
+    });
+    return { id, link };
+  });
+  scenes.append(...links.map(({ link }) => link));
+  scenes.hidden = SCENES.length < 2;
+
+  theme.addEventListener("change", () => {
+    onOption({ theme: /** @type {PageState["theme"]} */ (theme.value) });
+  });
+  share.addEventListener("click", async () => {
+    const done = await copyText(new URL(writeAddress(present()), location.href).href);
+    share.textContent = done ? "Copied" : "Copy it from the address bar";
+    byTestId("said").textContent = done ? "The link to this collision is copied" : "";
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      share.textContent = usualName;
+      byTestId("said").textContent = "";
+    }, SAID);
+  });
+  // Only when it is about to be followed: it changes with every step of a drag.
+  for (const kind of ["pointerenter", "focus"]) {
+    fullPage.addEventListener(kind, () => {
+      fullPage.href = writeAddress({ ...present(), embed: "none" });
+    });
+  }
+
+  return {
+    /** @param {PageState} state */
+    show(state) {
+      const { scene, embed } = state;
+      const wanted = `${scene} ${state.theme} ${embed}`;
+      if (wanted === shown) {
+        return;
+      }
+      shown = wanted;
+      theme.value = state.theme;
+      setOrRemove(root, "data-theme", state.theme, "system");
+      setOrRemove(root, "data-embed", embed, "none");
+      for (const panel of document.querySelectorAll("[data-panel]")) {
+        panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
+      }
+      for (const part of document.querySelectorAll("main[data-scene]")) {
+        part.toggleAttribute("hidden", part.getAttribute("data-scene") !== scene);
+      }
+      for (const { id, link } of links) {
+        link.href = writeAddress({ ...state, scene: id });
+        setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
+      }
+      fullPage.href = writeAddress({ ...state, embed: "none" });
+    },
+
+    /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */
+    caption({ parameters, epsilon_t: epsilon }) {
+      if (root.dataset.embed) {
+        const { kappa, mu_over_alpha: mu, gt_over_gn: gt } = parameters;
+        typeset(
+          caption,
+          `κ = ${typable(kappa)}, μ/α = ${typable(mu)}, g_t/g_n = ${typable(gt)}: ε_t = ${significant(epsilon)}`,
+        );
+      }
+    },
+  };
+}
+
+/**
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ * @param {string} usual the value for which the attribute is not there
+ */
+function setOrRemove(element, name, value, usual) {
+  if (value === usual) {
+    element.removeAttribute(name);
+  } else {
+    element.setAttribute(name, value);
+  }
+}

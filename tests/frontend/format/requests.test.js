@@ -1,0 +1,41 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import {
+  addressOf,
+  curlOf,
+  fileName,
+  frameOf,
+  pythonOf,
+} from "../../../frontend/format/requests.js";
+
+const ORIGIN = "https://example.org";
+const REQUEST = { call: "trace", query: { kappa: "63", quantities: "time,normal_force" } };
+
+test("addressOf is the API's address with every parameter, commas left readable", () => {
+  const address = "/api/v1/trace?kappa=63&quantities=time,normal_force";
+  assert.equal(addressOf(REQUEST), address);
+  assert.equal(curlOf(REQUEST, ORIGIN), `curl "${ORIGIN}${address}"`);
+});
+
+test("pythonOf writes numbers as numbers and words as words", () => {
+  const program = pythonOf(
+    { call: "map", query: { kappa_min: "1e-7", kappa_scale: "log" } },
+    ORIGIN,
+  );
+  assert.match(program, /^ {4}"kappa_min": 1e-7,$/m);
+  assert.match(program, /^ {4}"kappa_scale": "log",$/m);
+  assert.match(program, /urlopen\("https:\/\/example\.org\/api\/v1\/map\?" \+ urlencode/);
+});
+
+test("frameOf escapes the address for an attribute", () => {
+  assert.match(frameOf("/?a=1&b=2", "Map"), /src="\/\?a=1&amp;b=2" title="Map"/);
+});
+
+test("fileName holds the parameters and nothing that a file system refuses", () => {
+  assert.equal(
+    fileName("force", { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1e-7 }, "csv"),
+    "restitution-force-kappa-63-mu_over_alpha-1.4-gt_over_gn-1e-7.csv",
+  );
+  assert.equal(fileName("a/b", {}, "svg"), "restitution-ab.svg");
+});
