@@ -1,7 +1,10 @@
 // @ts-check
 
 import { createClient, Refused, Unreachable } from "./api/client.js";
+import { mostSwitches } from "./figures/map-figure.js";
 import { SYMBOLS } from "./format/symbols.js";
+import { mountCut } from "./panels/cut.js";
+import { mountEnergyToggle } from "./panels/energy-toggle.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
@@ -14,7 +17,9 @@ import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
+import { createCutLoader, FULL_CUT } from "./state/cut-loader.js";
 import { createMapLoader } from "./state/map-loader.js";
+import { horizontalAxis } from "./state/map-view.js";
 import { PARAMETERS } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
@@ -52,6 +57,8 @@ const map = mountMap(find(".map-panel"), {
   onPlace: changeCollision,
   onOption: (patch) => store.set(patch),
 });
+const cut = mountCut(find(".cut-panel"), changeCollision);
+const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   const { kappa, mu_over_alpha, gt_over_gn } = preset;
   changeCollision({ kappa, mu_over_alpha, gt_over_gn }, { inputTimeStamp });
@@ -73,14 +80,33 @@ const maps = createMapLoader({
   load: ({ muOverAlpha, view, counts }, signal) => client.map(muOverAlpha, view, counts, signal),
   onMap: (loaded) => {
     shownMap = loaded;
-    map.show({ ...loaded, quantity: store.get().map });
+    drawMap();
+    cut.colorUpTo(mostSwitches(loaded.grid));
   },
   onError: explain,
+});
+
+const cuts = createCutLoader({
+  load: client.cut,
+  onCut: (loaded, { count, ...wish }) => {
+    cut.show({ cut: loaded, ...wish }, count !== FULL_CUT);
+    cut.point(store.get().collision);
+  },
+  onError(error) {
+    if (error instanceof Refused) {
+      cut.withhold(`No cut at this one: ${error.message}`);
+    } else {
+      explain(error);
+    }
+  },
 });
 
 /** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
 let shownMap = null;
 let presetsAreHere = false;
+
+/** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
+const MAP_LOOKS = ["map", "map_x", "shape"];
 
 const connection = createConnection({
   isHealthy: client.isHealthy,
@@ -97,8 +123,8 @@ store.subscribe((state, previous, change) => {
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
-  if (state.map !== previous.map && shownMap) {
-    map.show({ ...shownMap, quantity: state.map });
+  if (MAP_LOOKS.some((key) => state[key] !== previous[key])) {
+    drawMap();
   }
   if (!connection.isLost()) {
     ask(state, change);
@@ -125,17 +151,28 @@ function showState(state) {
   }
   map.point(state.collision);
   map.options(state);
+  cut.point(state.collision);
+  energyToggle.show(state.energy);
+  velocity.showEnergy(state.energy === "shown");
   presets.show(state.collision);
+}
+
+function drawMap() {
+  if (shownMap) {
+    const { map: quantity, map_x, shape } = store.get();
+    map.show({ ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x) }, shape);
+  }
 }
 
 function loadAll() {
   maps.forget();
+  cuts.forget();
   ask(store.get(), { dragging: false, inputTimeStamp: performance.now() });
   loadPresets();
 }
 
 /**
- * While dragging, the map is asked for only once the trace is on the screen.
+ * While dragging, map and cut are asked for only once the trace is on the screen.
  * @param {PageState} state
  * @param {Change} change
  */
@@ -143,6 +180,7 @@ function ask(state, change) {
   collisions.request({ collision: state.collision, change });
   if (!change.dragging) {
     maps.follow(state, false);
+    cuts.follow(state, false);
   }
 }
 
@@ -151,7 +189,9 @@ async function loadPresets() {
     return;
   }
   try {
-    presets.offer(await client.presets());
+    const items = await client.presets();
+    presets.offer(items);
+    cut.offer(items);
     presetsAreHere = true;
   } catch (error) {
     explain(error);
@@ -186,7 +226,8 @@ async function loadCollision({ collision }, signal) {
  */
 function showCollision({ result, trace, reason }, { change }) {
   strip.show(result, change.dragging);
-  map.legend.point(result);
+  map.settle(result, change.dragging);
+  cut.settle(result);
   let isLight = false;
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
@@ -202,6 +243,7 @@ function showCollision({ result, trace, reason }, { change }) {
     }
     if (change.dragging) {
       maps.follow(store.get(), true);
+      cuts.follow(store.get(), true);
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);

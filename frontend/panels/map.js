@@ -6,6 +6,7 @@ import { collisionAt, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
+import { createSurface } from "./surface.js";
 import { onThemeChange } from "./theme.js";
 
 /**
@@ -25,7 +26,8 @@ export function mountMap(element, { onPlace, onOption }) {
   for (const [name, value] of Object.entries({ left: l, right: r, top: t, bottom: b })) {
     crosshair.style.setProperty(name, `${value / 16}rem`);
   }
-  /** @type {Parameters<typeof mapFigure>[0] | null} */
+  const surface = createSurface(find(".plot-stage", element));
+  /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;
   /** @type {import("../state/parameters.js").Collision | null} */
   let present = null;
@@ -38,10 +40,11 @@ export function mountMap(element, { onPlace, onOption }) {
    * @param {boolean} dragging
    */
   function place(event, dragging) {
-    if (shown && box) {
+    if (shown && box && present) {
       const x = (event.clientX - box.left) / box.width;
       const y = (box.bottom - event.clientY) / box.height;
-      onPlace(collisionAt(shown.view, x, y), { dragging, inputTimeStamp: event.timeStamp });
+      const there = collisionAt(shown.view, x, y, present.mu_over_alpha);
+      onPlace(there, { dragging, inputTimeStamp: event.timeStamp });
     }
   }
 
@@ -62,8 +65,9 @@ export function mountMap(element, { onPlace, onOption }) {
     onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
   });
   element.addEventListener("change", (event) => {
-    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
-    onOption({ [name]: value });
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    const isOn = input.type !== "checkbox" || input.checked;
+    onOption({ [input.name]: isOn ? input.value : "flat" });
   });
 
   function drawLegend() {
@@ -84,15 +88,24 @@ export function mountMap(element, { onPlace, onOption }) {
   }
 
   return {
-    /** @param {NonNullable<typeof shown>} map */
-    show(map) {
+    /**
+     * @param {NonNullable<typeof shown>} map
+     * @param {"flat" | "surface"} shape
+     */
+    show(map, shape) {
       shown = map;
-      plot.show(map);
+      element.dataset.shape = shape;
+      if (shape === "surface") {
+        surface.show(map);
+      } else {
+        surface.close();
+        plot.show(map);
+      }
       drawLegend();
       moveCrosshair();
       plotElement.setAttribute(
         "aria-label",
-        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution"} over κ and g_t/g_n; the sliders of κ and g_t/g_n move the crosshair.`,
+        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution"} over κ and ${map.view.vertical === "psi" ? "ψ" : "g_t/g_n"}; the sliders of κ and g_t/g_n move the crosshair.`,
       );
     },
 
@@ -102,22 +115,37 @@ export function mountMap(element, { onPlace, onOption }) {
       moveCrosshair();
     },
 
-    /** @param {{map: string, scale: string}} options */
-    options({ map, scale }) {
-      if (`${map} ${scale}` === chosen) {
+    /** @param {import("../state/url.js").PageState} state */
+    options({ map, scale, map_x, map_y, shape }) {
+      const options = { map, scale, map_x, map_y };
+      const wanted = JSON.stringify([options, shape]);
+      if (wanted === chosen) {
         return;
       }
-      chosen = `${map} ${scale}`;
-      for (const [name, value] of Object.entries({ map, scale })) {
+      chosen = wanted;
+      for (const [name, value] of Object.entries(options)) {
         const choice = find(`[name="${name}"][value="${value}"]`, element);
         /** @type {HTMLInputElement} */ (choice).checked = true;
       }
+      const inDepth = /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element));
+      inDepth.checked = shape === "surface";
     },
 
-    legend,
+    /**
+     * What the server says of the present collision.
+     * @param {import("../api/client.js").CollisionAnswer} result
+     * @param {boolean} dragging
+     */
+    settle(result, dragging) {
+      legend.point(result);
+      if (!dragging) {
+        surface.point(result);
+      }
+    },
 
     unmount() {
       endThemeChanges();
+      surface.close();
       plot.destroy();
     },
   };

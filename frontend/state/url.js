@@ -7,14 +7,24 @@ import { PARAMETERS, parseParameter } from "./parameters.js";
 const WORDS = {
   map: ["epsilon_t", "switches"],
   scale: ["linear", "log"],
+  map_x: ["kappa", "alpha_kappa"],
+  map_y: ["gt_over_gn", "psi"],
+  shape: ["flat", "surface"],
+  energy: ["hidden", "shown"],
 };
+
+const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
 
 /**
  * What the page shows; it stands in the address bar in full.
  * @typedef {object} PageState
  * @property {import("./parameters.js").Collision} collision
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
- * @property {"linear" | "log"} scale of the map's axes
+ * @property {"linear" | "log"} scale of the axes of map and cut
+ * @property {"kappa" | "alpha_kappa"} map_x what the map's horizontal axis is labelled with
+ * @property {"gt_over_gn" | "psi"} map_y what map and cut run over
+ * @property {"flat" | "surface"} shape of the map
+ * @property {"hidden" | "shown"} energy over time, with the velocity
  */
 
 /**
@@ -54,13 +64,14 @@ export function readAddress(search) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, map, scale }) {
+export function writeAddress({ collision, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     query.set(key, String(collision[key]));
   }
-  query.set("map", map);
-  query.set("scale", scale);
+  for (const key of WORD_KEYS) {
+    query.set(key, words[key]);
+  }
   return `?${query}`;
 }
 
