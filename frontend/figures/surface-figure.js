@@ -59,7 +59,7 @@ export function surfaceFigure({ grid, view, horizontal, quantity, place }, theme
         hovermode: false,
         aspectmode: "manual",
         aspectratio: { x: 1.25, y: 1.1, z: 0.65 },
-        camera: { eye: { x: 1.15, y: -1.35, z: 0.85 }, center: { x: 0, y: 0, z: -0.14 } },
+        camera: { eye: { x: 1.2, y: -1.45, z: 0.9 }, center: { x: 0, y: 0, z: -0.14 } },
         xaxis: sceneAxis(theme, PLOT_SYMBOLS[horizontal.symbol], {
           range: [0, 1],
           ...shareTicks(horizontal.scale, view.scale),
@@ -68,9 +68,10 @@ export function surfaceFigure({ grid, view, horizontal, quantity, place }, theme
           range: [0, 1],
           ...shareTicks(view.gtOverGn, view.scale),
         }),
-        zaxis: sceneAxis(theme, quantity === "switches" ? "switches" : PLOT_SYMBOLS.epsilon_t, {
-          ...(quantity === "switches" ? {} : restitutionTicks()),
-        }),
+        zaxis:
+          quantity === "switches"
+            ? sceneAxis(theme, "", { rangemode: "tozero", dtick: 2 })
+            : sceneAxis(theme, PLOT_SYMBOLS.epsilon_t, restitutionTicks()),
       },
     },
   };

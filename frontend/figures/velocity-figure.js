@@ -110,9 +110,9 @@ function energyLine({ time, tangential_energy: energy }, reach, { ink, unit }) {
  * @param {number} reach
  */
 function energyAxis(theme, range, reach) {
-  const ticks = [0, reach / 2, reach];
+  const ticks = [reach / 2, reach];
   return {
-    ...plainAxis(theme, /** @type {[number, number]} */ (range), ticks, ["0", "50 %", "100 %"]),
+    ...plainAxis(theme, /** @type {[number, number]} */ (range), ticks, ["50 %", "100 %"]),
     overlaying: "y",
     side: "right",
     ticklabelposition: "inside",
