@@ -13,6 +13,7 @@ import { shareAxis } from "./share-axis.js";
  * @typedef {{letter: string, kappa: number, psi: number}} Letter a panel of Fig. 5
  */
 
+const TICKS = [-1, -0.5, 0, 0.5, 1];
 const RIBBON_PIXELS = 8;
 const LETTER_PIXELS = 14;
 /** The letters name collisions at one κ; this near to it, as a factor, they still say what they mean. */
@@ -29,7 +30,7 @@ const NEAR_ENOUGH = 1.2;
  */
 export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, theme, size) {
   const inner = innerSize(size, CUT_MARGIN, theme);
-  const { range, bottom, perPixel } = cutRange(cut, size, theme);
+  const { range, perPixel } = verticalAxis(inner.height, theme);
   const shares = cut.values.map((_, i) => i / (cut.values.length - 1));
   const near = letters.filter((one) => isNear(one.kappa, kappa));
   const placed = near.map(({ letter, psi }) => ({
@@ -46,9 +47,9 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
     data: [
       countRibbon(cut.switches, most, range[0], RIBBON_PIXELS * theme.unit * perPixel, theme),
       line("stiff bound", within(shares, cut.stiff_bound, 1), faint),
-      line("stiff bound, below", within(shares, cut.stiff_bound, -1, bottom), faint),
+      line("stiff bound, below", within(shares, cut.stiff_bound, -1), faint),
       line("stiff asymptote", within(shares, cut.stiff_asymptote, 1), { ...faint, dash: "dot" }),
-      line("stiff asymptote, below", within(shares, cut.stiff_asymptote, -1, bottom), {
+      line("stiff asymptote, below", within(shares, cut.stiff_asymptote, -1), {
         ...faint,
         dash: "dot",
       }),
@@ -71,7 +72,7 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
         },
       },
       yaxis: {
-        ...plainAxis(theme, range, ...ticksFrom(bottom)),
+        ...plainAxis(theme, range, TICKS, TICKS.map(brief)),
         title: {
           text: PLOT_SYMBOLS.epsilon_t,
           standoff: 2 * theme.unit,
@@ -86,19 +87,15 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
 }
 
 /**
- * The vertical axis: down to −½ or −1, and below that the room for ribbon and letters.
- * @param {Cut} cut
- * @param {import("./plot-area.js").Size} size
+ * The vertical axis, the same for every cut, with room for ribbon and letters below −1.
+ * @param {number} height
  * @param {Theme} theme
- * @returns {{range: [number, number], bottom: number, perPixel: number}}
+ * @returns {{range: [number, number], perPixel: number}}
  */
-function cutRange({ epsilon_t: epsilon }, size, theme) {
-  const lowest = epsilon.reduce((least, value) => Math.min(least, value), 0);
-  const bottom = lowest < -0.45 ? -1 : -0.5;
-  const below = (RIBBON_PIXELS + LETTER_PIXELS + 6) * theme.unit;
-  const { height } = innerSize(size, CUT_MARGIN, theme);
-  const perPixel = (1.04 - bottom) / Math.max(1, height - below);
-  return { range: [bottom - below * perPixel, 1.04], bottom, perPixel };
+function verticalAxis(height, { unit }) {
+  const below = (RIBBON_PIXELS + LETTER_PIXELS + 6) * unit;
+  const perPixel = (1.04 + 1) / Math.max(1, height - below);
+  return { range: [-1 - below * perPixel, 1.04], perPixel };
 }
 
 /** @typedef {{x: ArrayLike<number>, y: ArrayLike<number>}} Line */
@@ -113,16 +110,18 @@ function cutLine(name, { x, y }, line) {
 }
 
 /**
- * The part of a curve that exists and lies on the axis.
+ * The part of a curve that exists and lies on the axis. Where there is none it is a line out of sight:
+ * Plotly leaves out a trace without points, and a drag would have to draw everything anew.
  * @param {Float64Array} x
  * @param {Float64Array} y
  * @param {1 | -1} sign
- * @param {number} [low]
  * @returns {Line}
  */
-function within(x, y, sign, low = -1) {
-  const shown = [...y.keys()].filter((i) => y[i] <= 1 && sign * y[i] >= low);
-  return { x: shown.map((i) => x[i]), y: shown.map((i) => sign * y[i]) };
+function within(x, y, sign) {
+  const shown = [...y.keys()].filter((i) => y[i] <= 1);
+  return shown.length === 0
+    ? { x: [0, 1], y: [2, 2] }
+    : { x: shown.map((i) => x[i]), y: shown.map((i) => sign * y[i]) };
 }
 
 /**
@@ -195,13 +194,4 @@ function legible(letters, gap) {
  */
 function isNear(a, b) {
   return a < NEAR_ENOUGH * b && b < NEAR_ENOUGH * a;
-}
-
-/**
- * @param {number} bottom
- * @returns {[number[], string[]]}
- */
-function ticksFrom(bottom) {
-  const ticks = [-1, -0.5, 0, 0.5, 1].filter((tick) => tick >= bottom);
-  return [ticks, ticks.map(brief)];
 }
