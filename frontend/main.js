@@ -3,12 +3,16 @@
 import {
   collisionQuery,
   createClient,
+  cutQuery,
   mapQuery,
   Refused,
   traceQuery,
   Unreachable,
 } from "./api/client.js";
+import { mostSwitches } from "./figures/map-figure.js";
 import { SYMBOLS } from "./format/symbols.js";
+import { mountCut } from "./panels/cut.js";
+import { mountEnergyToggle } from "./panels/energy-toggle.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
@@ -23,7 +27,9 @@ import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
+import { createCutLoader, FULL_CUT } from "./state/cut-loader.js";
 import { createMapLoader } from "./state/map-loader.js";
+import { horizontalAxis } from "./state/map-view.js";
 import { PARAMETERS } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
@@ -62,6 +68,8 @@ const map = mountMap(find(".map-panel"), {
   onPlace: changeCollision,
   onOption: (patch) => store.set(patch),
 });
+const cut = mountCut(find(".cut-panel"), changeCollision);
+const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   const { kappa, mu_over_alpha, gt_over_gn } = preset;
   changeCollision({ kappa, mu_over_alpha, gt_over_gn }, { inputTimeStamp });
@@ -83,16 +91,38 @@ const maps = createMapLoader({
   load: ({ muOverAlpha, view, counts }, signal) => client.map(muOverAlpha, view, counts, signal),
   onMap: (loaded) => {
     shownMap = loaded;
-    map.show({ ...loaded, quantity: store.get().map });
+    drawMap();
+    cut.colorUpTo(mostSwitches(loaded.grid));
   },
   onError: explain,
+});
+
+const cuts = createCutLoader({
+  load: client.cut,
+  onCut: (loaded, { count, ...wish }) => {
+    shownCut = { cut: loaded, ...wish };
+    cut.show(shownCut, count !== FULL_CUT);
+    cut.point(store.get().collision);
+  },
+  onError(error) {
+    if (error instanceof Refused) {
+      cut.withhold(`No cut at this one: ${error.message}`);
+    } else {
+      explain(error);
+    }
+  },
 });
 
 /** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
 let shownMap = null;
 /** @type {Awaited<ReturnType<typeof loadCollision>> | null} */
 let shownCollision = null;
+/** @type {{cut: import("./api/client.js").Cut, kappa: number, muOverAlpha: number, view: import("./state/map-view.js").MapView} | null} */
+let shownCut = null;
 let presetsAreHere = false;
+
+/** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
+const MAP_LOOKS = ["map", "map_x", "shape"];
 
 const connection = createConnection({
   isHealthy: client.isHealthy,
@@ -109,8 +139,9 @@ mountPictures({
     result: shownCollision?.result ?? null,
     trace: shownCollision?.trace ?? null,
     map: shownMap,
+    cut: shownCut,
   }),
-  queries: { collision: collisionQuery, trace: traceQuery, map: mapQuery },
+  queries: { collision: collisionQuery, trace: traceQuery, map: mapQuery, cut: cutQuery },
 });
 
 store.subscribe((state, previous, change) => {
@@ -119,8 +150,8 @@ store.subscribe((state, previous, change) => {
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
-  if (state.map !== previous.map && shownMap) {
-    map.show({ ...shownMap, quantity: state.map });
+  if (MAP_LOOKS.some((key) => state[key] !== previous[key])) {
+    drawMap();
   }
   if (!connection.isLost()) {
     ask(state, change);
@@ -148,17 +179,28 @@ function showState(state) {
   }
   map.point(state.collision);
   map.options(state);
+  cut.point(state.collision);
+  energyToggle.show(state.energy);
+  velocity.showEnergy(state.energy === "shown");
   presets.show(state.collision);
+}
+
+function drawMap() {
+  if (shownMap) {
+    const { map: quantity, map_x, shape } = store.get();
+    map.show({ ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x) }, shape);
+  }
 }
 
 function loadAll() {
   maps.forget();
+  cuts.forget();
   ask(store.get(), { dragging: false, inputTimeStamp: performance.now() });
   loadPresets();
 }
 
 /**
- * While dragging, the map is asked for only once the trace is on the screen.
+ * While dragging, map and cut are asked for only once the trace is on the screen.
  * @param {PageState} state
  * @param {Change} change
  */
@@ -166,6 +208,7 @@ function ask(state, change) {
   collisions.request({ collision: state.collision, change });
   if (!change.dragging) {
     maps.follow(state, false);
+    cuts.follow(state, false);
   }
 }
 
@@ -174,7 +217,9 @@ async function loadPresets() {
     return;
   }
   try {
-    presets.offer(await client.presets());
+    const items = await client.presets();
+    presets.offer(items);
+    cut.offer(items);
     presetsAreHere = true;
   } catch (error) {
     explain(error);
@@ -211,7 +256,8 @@ function showCollision(answer, { change }) {
   shownCollision = answer;
   const { result, trace, reason } = answer;
   strip.show(result, change.dragging);
-  map.legend.point(result);
+  map.settle(result, change.dragging);
+  cut.settle(result);
   shell.caption(result);
   let isLight = false;
   if (trace) {
@@ -228,6 +274,7 @@ function showCollision(answer, { change }) {
     }
     if (change.dragging) {
       maps.follow(store.get(), true);
+      cuts.follow(store.get(), true);
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);

@@ -23,7 +23,7 @@ import { decodeArrays } from "./arrays.js";
 /**
  * What this page reads of an answer of `/trace`, its columns among it.
  * @typedef {CollisionAnswer & Columns & {switch_times: Float64Array}} Trace
- * @typedef {Record<"time" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity", Float64Array>} Columns
+ * @typedef {Record<"time" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity" | "tangential_energy", Float64Array>} Columns
  */
 
 /** @typedef {{regime: "sliding" | "sticking", start: number, end: number, direction: number}} Episode */
@@ -36,6 +36,12 @@ import { decodeArrays } from "./arrays.js";
  * @property {Int32Array[]} switches
  */
 
+/**
+ * What is asked of `/cut`, and its columns; a number that does not exist is NaN.
+ * @typedef {{kappa: number, muOverAlpha: number, view: import("../state/map-view.js").MapView, count: number}} CutWish
+ * @typedef {{switches: Int32Array} & Record<"values" | "epsilon_t" | "coulomb" | "stiff_bound" | "stiff_asymptote", Float64Array>} Cut
+ */
+
 /** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, damping: number, source: string}} Preset */
 
 /** The server could not be asked, or is too busy: asking again later may help. */
@@ -44,7 +50,9 @@ export class Unreachable extends Error {}
 /** The server answered that it will not answer this: its reason is the message. */
 export class Refused extends Error {}
 
-const TRACE_COLUMNS = "time,normal_force,tangential_force_over_mu,tangential_velocity";
+const TRACE_COLUMNS =
+  "time,normal_force,tangential_force_over_mu,tangential_velocity,tangential_energy";
+const CUT_COLUMNS = "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote";
 const LONGEST_WAIT = 15_000;
 
 /** The only place that knows the server. */
@@ -113,6 +121,17 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
       return /** @type {MapGrid} */ (decodeArrays(body));
     },
 
+    /**
+     * @param {CutWish} wish
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Cut>}
+     */
+    async cut(wish, signal) {
+      const query = new URLSearchParams({ ...cutQuery(wish), encoding: "base64" });
+      const { body } = await get(`${base}/cut?${query}`, signal);
+      return /** @type {Cut} */ (decodeArrays(body));
+    },
+
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;
@@ -160,6 +179,20 @@ export function mapQuery(muOverAlpha, view, counts) {
     gt_over_gn_max: String(view.gtOverGn.max),
     gt_over_gn_count: String(counts.gtOverGn),
     gt_over_gn_scale: view.scale,
+  };
+}
+
+/** What `/cut` is asked. @param {CutWish} wish */
+export function cutQuery({ kappa, muOverAlpha, view, count }) {
+  return {
+    along: "gt_over_gn",
+    kappa: String(kappa),
+    mu_over_alpha: String(muOverAlpha),
+    minimum: String(view.gtOverGn.min),
+    maximum: String(view.gtOverGn.max),
+    count: String(count),
+    scale: view.scale,
+    quantities: CUT_COLUMNS,
   };
 }
 

@@ -9,6 +9,7 @@
 /** Margins are fixed, so that whoever lays something over a plot knows where its axes are: in pixels of the design. */
 export const TRACE_MARGIN = { l: 40, r: 14, t: 6, b: 34 };
 export const MAP_MARGIN = { l: 46, r: 16, t: 8, b: 42 };
+export const CUT_MARGIN = { l: 46, r: 16, t: 6, b: 40 };
 
 /**
  * Width and height between the axes.

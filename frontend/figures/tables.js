@@ -15,6 +15,7 @@ import { placesAmong, spreadIndices } from "./sample.js";
 /** Rows that sample a trace, to which its switches are added. */
 const TRACE_ROWS = 40;
 const SWITCH_ROWS = 60;
+const CUT_ROWS = 30;
 const MAP_ROWS = 12;
 const MAP_COLUMNS = 8;
 
@@ -97,21 +98,48 @@ function regimeAt({ episodes, contact_duration: duration }, instant) {
 }
 
 /**
+ * The cut and its simple laws, at every so many of its points and at the present collision.
+ * @param {import("../api/client.js").Cut} cut
+ * @param {string} along what it runs over: g_t/g_n or ψ
+ * @param {number} here the present collision there
+ * @param {number} kappa
+ * @returns {Table}
+ */
+export function cutTable(cut, along, here, kappa) {
+  const [present] = placesAmong(cut.values, [here]);
+  const indices = spreadIndices(cut.values.length, CUT_ROWS, [present]);
+  return {
+    caption: `ε_t over ${along} at κ = ${significant(kappa)}: ${indices.length} of ${cut.values.length} points, the one nearest to the present collision among them. CSV and JSON hold all.`,
+    headings: [along, "ε_t", "switches", "Coulomb’s law", "stiff bound", "stiff limit"],
+    rows: indices.map((i) => [
+      significant(cut.values[i]),
+      significant(cut.epsilon_t[i]),
+      String(cut.switches[i]),
+      significant(cut.coulomb[i]),
+      significant(cut.stiff_bound[i]),
+      significant(cut.stiff_asymptote[i]),
+    ]),
+    here: indices.indexOf(present),
+  };
+}
+
+/**
  * Every so many cells of the map, and those nearest to the present collision.
  * @param {{grid: import("../api/client.js").MapGrid, quantity: "epsilon_t" | "switches"}} map
+ * @param {{along: string, here: number, frame: string}} rows what they run over, where the present collision is, and what else holds
  * @param {import("../state/parameters.js").Collision} collision
  * @returns {Table}
  */
-export function mapTable({ grid, quantity }, collision) {
+export function mapTable({ grid, quantity }, { along, here, frame }, collision) {
   const { kappa, gt_over_gn: gtOverGn } = grid;
   const [column] = placesAmong(kappa, [collision.kappa]);
-  const [row] = placesAmong(gtOverGn, [collision.gt_over_gn]);
+  const [row] = placesAmong(gtOverGn, [here]);
   const columns = spreadIndices(kappa.length, MAP_COLUMNS, [column]);
   const rows = spreadIndices(gtOverGn.length, MAP_ROWS, [row]).reverse();
   const name = quantity === "switches" ? "Number of switches" : "ε_t";
   return {
-    caption: `${name} over κ (columns) and g_t/g_n (rows) at μ/α = ${significant(collision.mu_over_alpha)}: some cells of the map, those nearest to the present collision among them. CSV and JSON hold all.`,
-    headings: ["g_t/g_n", ...columns.map((k) => `κ ${significant(kappa[k], 3)}`)],
+    caption: `${name} over κ (columns) and ${along} (rows) ${frame}: some cells of the map, those nearest to the present collision among them. CSV and JSON hold all.`,
+    headings: [along, ...columns.map((k) => `κ ${significant(kappa[k], 3)}`)],
     rows: rows.map((i) => [
       significant(gtOverGn[i], 3),
       ...columns.map((k) => significant(grid[quantity][i][k], 3)),

@@ -15,9 +15,10 @@ const LONGEST_REACH = 8e307;
  * @param {import("../api/client.js").Trace} trace
  * @param {import("./theme.js").Theme} theme
  * @param {import("./plot-area.js").Size} size
+ * @param {boolean} [withEnergy] whether the share of the energy that is left is drawn too
  * @returns {import("./plot-area.js").Figure}
  */
-export function velocityFigure(trace, theme, size) {
+export function velocityFigure(trace, theme, size, withEnergy = false) {
   const { time, tangential_velocity: velocity, contact_duration: duration } = trace;
   const reach = roundedUp(Math.abs(velocity[0]));
   const { unit } = theme;
@@ -27,6 +28,7 @@ export function velocityFigure(trace, theme, size) {
   const turns = turnsShown(trace, innerSize(size, TRACE_MARGIN, theme).width / unit);
   // Most collisions come back slowly: half of the axis below zero is enough for them.
   const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
+  const range = [bottom - 0.03 * reach, 1.03 * reach];
   return {
     data: [
       regimeShades(trace.episodes, { base: bottom, top: reach }, theme),
@@ -59,6 +61,7 @@ export function velocityFigure(trace, theme, size) {
         marker: { size: 8 * unit, color: theme.velocity },
         cliponaxis: false,
       },
+      ...(withEnergy ? [energyLine(trace, reach, theme)] : []),
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),
@@ -66,7 +69,7 @@ export function velocityFigure(trace, theme, size) {
       yaxis: {
         ...plainAxis(
           theme,
-          [bottom - 0.03 * reach, 1.03 * reach],
+          /** @type {[number, number]} */ (range),
           [-reach, -reach / 2, 0, reach / 2, reach],
           [-1, -0.5, 0, 0.5, 1].map((share) => brief((share * reach) / 10 ** power)),
         ),
@@ -75,7 +78,47 @@ export function velocityFigure(trace, theme, size) {
         zerolinecolor: theme.grid,
         zerolinewidth: 1,
       },
+      ...(withEnergy ? { yaxis2: energyAxis(theme, range, reach) } : {}),
     },
+  };
+}
+
+/**
+ * The tangential energy as a share of that at the beginning, which lies at the top of the axis.
+ * @param {import("../api/client.js").Trace} trace
+ * @param {number} reach
+ * @param {import("./theme.js").Theme} theme
+ */
+function energyLine({ time, tangential_energy: energy }, reach, { ink, unit }) {
+  const share = (/** @type {number} */ value) => value / energy[0];
+  return {
+    name: "tangential energy",
+    type: "scatter",
+    mode: "lines",
+    x: time,
+    // None at the beginning, or one beyond a double: nothing can be a share of it.
+    y: energy.map((value) => (Number.isFinite(share(value)) ? reach * share(value) : 0)),
+    yaxis: "y2",
+    line: { width: 1.5 * unit, color: ink, dash: "2px,3px", simplify: false },
+  };
+}
+
+/**
+ * The shares of the energy at the right edge, within the plot: the axis of time stays where it is.
+ * @param {import("./theme.js").Theme} theme
+ * @param {number[]} range the same as that of the velocity
+ * @param {number} reach
+ */
+function energyAxis(theme, range, reach) {
+  const ticks = [reach / 2, reach];
+  return {
+    ...plainAxis(theme, /** @type {[number, number]} */ (range), ticks, ["50 %", "100 %"]),
+    overlaying: "y",
+    side: "right",
+    ticklabelposition: "inside",
+    ticks: "",
+    layer: "above traces",
+    tickfont: { size: 11 * theme.unit, color: theme.ink },
   };
 }
 

@@ -12,7 +12,10 @@ export const SYMBOLS = {
 /** The same for Plotly, which knows a few tags only. */
 export const PLOT_SYMBOLS = {
   kappa: "<i>κ</i>",
+  alpha_kappa: "<i>ακ</i>",
   gt_over_gn: "<i>g</i><sub>t</sub> / <i>g</i><sub>n</sub>",
+  psi: "<i>ψ</i>",
+  epsilon_t: "<i>ε</i><sub>t</sub>",
 };
 
 /**

@@ -7,6 +7,7 @@ import { collisionAt, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
+import { createSurface } from "./surface.js";
 import { onThemeChange } from "./theme.js";
 
 /** One press of an arrow key, as a share of the map. */
@@ -37,7 +38,8 @@ export function mountMap(element, { onPlace, onOption }) {
   for (const [name, value] of Object.entries({ left: l, right: r, top: t, bottom: b })) {
     crosshair.style.setProperty(name, `${value / 16}rem`);
   }
-  /** @type {Parameters<typeof mapFigure>[0] | null} */
+  const surface = createSurface(find(".plot-stage", element));
+  /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;
   /** @type {import("../state/parameters.js").Collision | null} */
   let present = null;
@@ -51,10 +53,11 @@ export function mountMap(element, { onPlace, onOption }) {
    * @param {boolean} dragging
    */
   function place(event, dragging) {
-    if (shown && box) {
+    if (shown && box && present) {
       const x = (event.clientX - box.left) / box.width;
       const y = (box.bottom - event.clientY) / box.height;
-      onPlace(collisionAt(shown.view, x, y), { dragging, inputTimeStamp: event.timeStamp });
+      const there = collisionAt(shown.view, x, y, present.mu_over_alpha);
+      onPlace(there, { dragging, inputTimeStamp: event.timeStamp });
     }
   }
 
@@ -84,6 +87,7 @@ export function mountMap(element, { onPlace, onOption }) {
         shown.view,
         at.x + step * direction.right,
         at.y + step * direction.up,
+        present.mu_over_alpha,
       );
       // The other of the two stays to the last digit.
       const moved = direction.right ? { kappa: next.kappa } : { gt_over_gn: next.gt_over_gn };
@@ -102,8 +106,9 @@ export function mountMap(element, { onPlace, onOption }) {
   }
   crosshair.addEventListener("focus", describeCrosshair);
   element.addEventListener("change", (event) => {
-    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
-    onOption({ [name]: value });
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    const isOn = input.type !== "checkbox" || input.checked;
+    onOption({ [input.name]: isOn ? input.value : "flat" });
   });
 
   /** In words, but not at every step of a drag. */
@@ -135,16 +140,25 @@ export function mountMap(element, { onPlace, onOption }) {
   }
 
   return {
-    /** @param {NonNullable<typeof shown>} map */
-    show(map) {
+    /**
+     * @param {NonNullable<typeof shown>} map
+     * @param {"flat" | "surface"} shape
+     */
+    show(map, shape) {
       shown = map;
-      plot.show(map);
+      element.dataset.shape = shape;
+      if (shape === "surface") {
+        surface.show(map);
+      } else {
+        surface.close();
+        plot.show(map);
+      }
       drawLegend();
       moveCrosshair();
       describeCrosshair();
       plotElement.setAttribute(
         "aria-label",
-        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and g_t/g_n from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,
+        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and ${map.view.vertical === "psi" ? "ψ" : "g_t/g_n"} from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,
       );
     },
 
@@ -154,22 +168,37 @@ export function mountMap(element, { onPlace, onOption }) {
       moveCrosshair();
     },
 
-    /** @param {{map: string, scale: string}} options */
-    options({ map, scale }) {
-      if (`${map} ${scale}` === chosen) {
+    /** @param {import("../state/url.js").PageState} state */
+    options({ map, scale, map_x, map_y, shape }) {
+      const options = { map, scale, map_x, map_y };
+      const wanted = JSON.stringify([options, shape]);
+      if (wanted === chosen) {
         return;
       }
-      chosen = `${map} ${scale}`;
-      for (const [name, value] of Object.entries({ map, scale })) {
+      chosen = wanted;
+      for (const [name, value] of Object.entries(options)) {
         const choice = find(`[name="${name}"][value="${value}"]`, element);
         /** @type {HTMLInputElement} */ (choice).checked = true;
       }
+      const inDepth = /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element));
+      inDepth.checked = shape === "surface";
     },
 
-    legend,
+    /**
+     * What the server says of the present collision.
+     * @param {import("../api/client.js").CollisionAnswer} result
+     * @param {boolean} dragging
+     */
+    settle(result, dragging) {
+      legend.point(result);
+      if (!dragging) {
+        surface.point(result);
+      }
+    },
 
     unmount() {
       endThemeChanges();
+      surface.close();
       plot.destroy();
     },
   };

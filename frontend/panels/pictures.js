@@ -1,8 +1,10 @@
 // @ts-check
 
-import { forceTable, mapTable, resultTable, velocityTable } from "../figures/tables.js";
+import { cutTable, forceTable, mapTable, resultTable, velocityTable } from "../figures/tables.js";
+import { significant } from "../format/number.js";
+import { FULL_CUT } from "../state/cut-loader.js";
 import { FULL_MAP } from "../state/map-loader.js";
-import { mapView, placeOnMap } from "../state/map-view.js";
+import { axesMuOverAlpha, heightOf, mapView, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
 import { mountPictureMenu } from "./picture-menu.js";
 
@@ -12,6 +14,7 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @property {import("../api/client.js").CollisionAnswer | null} result
  * @property {import("../api/client.js").Trace | null} trace
  * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} map
+ * @property {{cut: import("../api/client.js").Cut, kappa: number, view: import("../state/map-view.js").MapView} | null} cut
  */
 
 /** @typedef {import("../state/parameters.js").Collision} Collision */
@@ -25,6 +28,7 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {(collision: Collision) => Record<string, string>} page.queries.collision
  * @param {(collision: Collision) => Record<string, string>} page.queries.trace
  * @param {(muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: typeof FULL_MAP) => Record<string, string>} page.queries.map
+ * @param {(wish: import("../api/client.js").CutWish) => Record<string, string>} page.queries.cut
  */
 export function mountPictures({ present, shown, queries }) {
   const parameters = () => ({ ...present().collision });
@@ -54,14 +58,15 @@ export function mountPictures({ present, shown, queries }) {
       title: "Map",
       subject: () => present().map,
       request() {
-        const { collision, scale } = present();
-        const view = shown().map?.view ?? mapView(collision, scale);
-        return { call: "map", query: queries.map(collision.mu_over_alpha, view, FULL_MAP) };
+        const { collision } = present();
+        const view = shown().map?.view ?? mapView(collision, present());
+        const muOverAlpha = axesMuOverAlpha(view, collision);
+        return { call: "map", query: queries.map(muOverAlpha, view, FULL_MAP) };
       },
       parameters,
       table: () =>
-        made(shown().map, ({ grid }) =>
-          mapTable({ grid, quantity: present().map }, present().collision),
+        made(shown().map, ({ grid, view }) =>
+          mapTable({ grid, quantity: present().map }, rowsOf(view), present().collision),
         ),
       place: () =>
         made(shown().map, ({ view }) => {
@@ -69,7 +74,33 @@ export function mountPictures({ present, shown, queries }) {
           return { x, y: 1 - y };
         }),
     },
+    cut: {
+      title: "Cut",
+      request() {
+        const { collision } = present();
+        const view = shown().cut?.view ?? mapView(collision, present());
+        const muOverAlpha = axesMuOverAlpha(view, collision);
+        const wish = { kappa: collision.kappa, muOverAlpha, view, count: FULL_CUT };
+        return { call: "cut", query: queries.cut(wish) };
+      },
+      parameters,
+      table: () =>
+        made(shown().cut, ({ cut, kappa, view }) => {
+          const { along, here } = rowsOf(view);
+          return cutTable(cut, along, here, kappa);
+        }),
+    },
   };
+
+  /** What the vertical axis of the map runs over. @param {import("../state/map-view.js").MapView} view */
+  function rowsOf({ vertical }) {
+    const { collision } = present();
+    const here = heightOf(vertical, collision);
+    return vertical === "psi"
+      ? { along: "ψ", here, frame: "at any μ/α" }
+      : { along: "g_t/g_n", here, frame: `at μ/α = ${significant(collision.mu_over_alpha)}` };
+  }
+
   for (const [name, picture] of Object.entries(pictures)) {
     mountPictureMenu(find(`[data-panel="${name}"]`), picture, present);
   }

@@ -3,8 +3,10 @@
 import { quickDraw } from "./quick-draw.js";
 import { currentTheme, onThemeChange } from "./theme.js";
 
+/** A plot that is looked at; what is laid over it takes the pointer. */
+const STILL = { staticPlot: true };
+
 const CONFIG = {
-  staticPlot: true,
   displayModeBar: false,
   showSendToCloud: false,
   responsive: false,
@@ -25,8 +27,9 @@ const plotlyIsHere = new Promise((resolve) => {
  * @template Subject
  * @param {HTMLElement} element
  * @param {(subject: Subject, theme: import("../figures/theme.js").Theme, size: import("../figures/plot-area.js").Size) => import("../figures/plot-area.js").Figure} makeFigure
+ * @param {Record<string, any>} [config] of Plotly
  */
-export function createPlot(element, makeFigure) {
+export function createPlot(element, makeFigure, config = STILL) {
   /** @type {{subject: Subject} | null} */
   let shown = null;
   /** @type {import("../figures/plot-area.js").Size | null} */
@@ -46,7 +49,7 @@ export function createPlot(element, makeFigure) {
       // As after Plotly's own drawing, the element holds the data of what it shows.
       Object.assign(element, { data: figure.data });
     } else {
-      Plotly.react(element, figure.data, figure.layout, CONFIG);
+      Plotly.react(element, figure.data, figure.layout, { ...CONFIG, ...config });
     }
     drawn = figure;
     return isQuick;

@@ -89,8 +89,8 @@ function row(label, buttons) {
   return group;
 }
 
-/** @param {Preset} preset */
-function letterOf({ title }) {
+/** Which panel of Fig. 5 a preset is, or null. @param {Preset} preset */
+export function letterOf({ title }) {
   return /^Fig\.\s*5\s*([a-o])$/.exec(title)?.[1] ?? null;
 }
 

@@ -30,9 +30,16 @@ export function mountForceTrace(element) {
  * @param {HTMLElement} element
  */
 export function mountVelocity(element) {
-  const plot = createTracePlot(element, velocityFigure);
+  let withEnergy = false;
+  const plot = createTracePlot(element, (trace, theme, size) =>
+    velocityFigure(trace, theme, size, withEnergy),
+  );
   return {
     ...plot,
+    /** Whether the energy is shown too, from the next picture on. @param {boolean} wanted */
+    showEnergy(wanted) {
+      withEnergy = wanted;
+    },
     /** @param {import("../api/client.js").Trace} trace */
     describe(trace) {
       const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
@@ -47,7 +54,7 @@ export function mountVelocity(element) {
 /**
  * A plot of a trace, or the reason why there is none.
  * @param {HTMLElement} element
- * @param {typeof forceFigure} makeFigure
+ * @param {(...args: Parameters<typeof forceFigure>) => import("../figures/plot-area.js").Figure} makeFigure
  */
 function createTracePlot(element, makeFigure) {
   const plot = createPlot(element, makeFigure);

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { createLatest } from "./latest.js";
-import { mapView, sameView } from "./map-view.js";
+import { axesMuOverAlpha, mapView, sameView } from "./map-view.js";
 
 /**
  * @typedef {import("./map-view.js").MapView} MapView
@@ -19,7 +19,7 @@ export const QUICK_MAP = { kappa: 80, gtOverGn: 60 };
 const PAUSE = 80;
 
 /**
- * The map that belongs to a state. It depends on μ/α and its axes alone; these follow a collision
+ * The map that belongs to a state. It depends on μ/α, but not over ψ, and its axes alone; these follow a collision
  * beyond them when a drag is over.
  * @template Grid
  * @param {object} options
@@ -42,9 +42,9 @@ export function createMapLoader({ load, onMap, onError }) {
      * @param {import("./url.js").PageState} state
      * @param {boolean} dragging
      */
-    follow({ collision, scale }, dragging) {
-      const muOverAlpha = collision.mu_over_alpha;
-      const view = dragging && asked ? asked.view : mapView(collision, scale);
+    follow(state, dragging) {
+      const view = dragging && asked ? asked.view : mapView(state.collision, state);
+      const muOverAlpha = axesMuOverAlpha(view, state.collision);
       const isAsked =
         asked?.muOverAlpha === muOverAlpha &&
         sameView(asked.view, view) &&

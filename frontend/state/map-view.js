@@ -1,39 +1,70 @@
 // @ts-check
 
-import { logScale, powerScale } from "./scales.js";
+import { logScale, powerScale, relabelled } from "./scales.js";
 
 /**
- * What is to be asked of `/map` and how its axes lie.
+ * What is to be asked of `/map` and how its axes lie. Over ψ, the map is that of μ/α = 1, whose
+ * g_t/g_n are ψ.
  * @typedef {object} MapView
  * @property {"linear" | "log"} scale
+ * @property {"gt_over_gn" | "psi"} vertical
  * @property {import("./scales.js").Scale} kappa
  * @property {import("./scales.js").Scale} gtOverGn
  */
+
+/**
+ * What the horizontal axis is labelled with; what lies where does not change.
+ * @typedef {{symbol: "kappa" | "alpha_kappa", scale: import("./scales.js").Scale}} HorizontalAxis
+ */
+
+/** @typedef {import("./parameters.js").Collision} Collision */
+
+/** α of homogeneous spheres, by which the paper's axis of Figs. 3 and 4 differs from κ. */
+const SOLID_ALPHA = 2 / 7;
 
 /**
  * The usual axes, where the paper draws Figs. 3 and 4, and how far they may reach for a collision
  * beyond them: on a linear axis of thousands there is nothing to see.
  */
 const AXES = {
-  linear: { kappa: [0.1, 70], gtOverGn: [0.01, 4], reach: 10 },
-  log: { kappa: [0.1, 1000], gtOverGn: [0.005, 5], reach: 1e9 },
+  linear: { kappa: [0.1, 70], gt_over_gn: [0.01, 4], psi: [0.01, 3], reach: 10 },
+  log: { kappa: [0.1, 1000], gt_over_gn: [0.005, 5], psi: [0.005, 5], reach: 1e9 },
 };
 
 /**
  * The axes of the map around a collision: the usual ones, or the next of 1, 2, 5, 10 … that reach it.
- * @param {import("./parameters.js").Collision} collision
- * @param {"linear" | "log"} scale
+ * @param {Collision} collision
+ * @param {{scale: "linear" | "log", map_y: "gt_over_gn" | "psi"}} options
  * @returns {MapView}
  */
-export function mapView(collision, scale) {
+export function mapView(collision, { scale, map_y: vertical }) {
   const make = scale === "log" ? logScale : linearScale;
-  const { kappa, gtOverGn, reach } = AXES[scale];
+  const { kappa, [vertical]: usual, reach } = AXES[scale];
   const both = scale === "log";
   return {
     scale,
+    vertical,
     kappa: make(...reaching(kappa, collision.kappa, reach, both)),
-    gtOverGn: make(...reaching(gtOverGn, collision.gt_over_gn, reach, both)),
+    gtOverGn: make(...reaching(usual, heightOf(vertical, collision), reach, both)),
   };
+}
+
+/**
+ * @param {MapView} view
+ * @param {HorizontalAxis["symbol"]} symbol
+ * @returns {HorizontalAxis}
+ */
+export function horizontalAxis({ kappa }, symbol) {
+  return { symbol, scale: symbol === "kappa" ? kappa : relabelled(kappa, SOLID_ALPHA) };
+}
+
+/**
+ * The μ/α to ask with, so that the answer lies on the axes of the view.
+ * @param {MapView} view
+ * @param {Collision} collision
+ */
+export function axesMuOverAlpha({ vertical }, collision) {
+  return vertical === "psi" ? 1 : collision.mu_over_alpha;
 }
 
 /**
@@ -44,6 +75,7 @@ export function mapView(collision, scale) {
 export function sameView(a, b) {
   return (
     a.scale === b.scale &&
+    a.vertical === b.vertical &&
     a.kappa.min === b.kappa.min &&
     a.kappa.max === b.kappa.max &&
     a.gtOverGn.min === b.gtOverGn.min &&
@@ -54,11 +86,11 @@ export function sameView(a, b) {
 /**
  * Where a collision stands on the map, as shares from the left and from the bottom.
  * @param {MapView} view
- * @param {import("./parameters.js").Collision} collision
+ * @param {Collision} collision
  */
 export function placeOnMap(view, collision) {
   const x = view.kappa.toShare(collision.kappa);
-  const y = view.gtOverGn.toShare(collision.gt_over_gn);
+  const y = view.gtOverGn.toShare(heightOf(view.vertical, collision));
   return { x: clamp(x), y: clamp(y), outside: isBeyond(x) || isBeyond(y) };
 }
 
@@ -67,12 +99,36 @@ export function placeOnMap(view, collision) {
  * @param {MapView} view
  * @param {number} x share from the left
  * @param {number} y share from the bottom
+ * @param {number} muOverAlpha
  */
-export function collisionAt(view, x, y) {
+export function collisionAt(view, x, y, muOverAlpha) {
   return {
     kappa: Number(view.kappa.fromShare(clamp(x)).toPrecision(4)),
-    gt_over_gn: Number(view.gtOverGn.fromShare(clamp(y)).toPrecision(4)),
+    gt_over_gn: gtOverGnAt(view, y, muOverAlpha),
   };
+}
+
+/**
+ * The g_t/g_n at a share of the vertical axis, to four digits.
+ * @param {MapView} view
+ * @param {number} share
+ * @param {number} muOverAlpha
+ */
+export function gtOverGnAt({ vertical, gtOverGn }, share, muOverAlpha) {
+  const value = gtOverGn.fromShare(clamp(share));
+  return Number((vertical === "psi" ? value * muOverAlpha : value).toPrecision(4));
+}
+
+/**
+ * Where a collision lies on the vertical axis. Without friction ψ is infinite, at rest too.
+ * @param {MapView["vertical"]} vertical
+ * @param {Collision} collision
+ */
+export function heightOf(vertical, { gt_over_gn, mu_over_alpha }) {
+  if (vertical === "gt_over_gn") {
+    return gt_over_gn;
+  }
+  return mu_over_alpha === 0 ? Infinity : gt_over_gn / mu_over_alpha;
 }
 
 /**

@@ -25,6 +25,21 @@ export function logScale(min, max) {
 }
 
 /**
+ * The same places under other numbers.
+ * @param {Scale} scale
+ * @param {number} factor greater than 0
+ * @returns {Scale}
+ */
+export function relabelled(scale, factor) {
+  return {
+    min: factor * scale.min,
+    max: factor * scale.max,
+    toShare: (value) => scale.toShare(value / factor),
+    fromShare: (share) => factor * scale.fromShare(share),
+  };
+}
+
+/**
  * Shares grow as the given power of the distance from the lower end; 1 is linear.
  * @param {number} min
  * @param {number} max

@@ -8,21 +8,31 @@ import { SCENES } from "./scenes.js";
 const WORDS = {
   map: ["epsilon_t", "switches"],
   scale: ["linear", "log"],
+  map_x: ["kappa", "alpha_kappa"],
+  map_y: ["gt_over_gn", "psi"],
+  shape: ["flat", "surface"],
+  energy: ["hidden", "shown"],
 };
 
 /** The same of the page around the pictures; they stand in the address only where they are not the first. */
 const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
-  embed: ["none", "result", "force", "velocity", "map"],
+  embed: ["none", "result", "force", "velocity", "map", "cut"],
 };
+
+const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
 
 /**
  * What the page shows; it stands in the address bar in full.
  * @typedef {object} PageState
  * @property {import("./parameters.js").Collision} collision
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
- * @property {"linear" | "log"} scale of the map's axes
+ * @property {"linear" | "log"} scale of the axes of map and cut
+ * @property {"kappa" | "alpha_kappa"} map_x what the map's horizontal axis is labelled with
+ * @property {"gt_over_gn" | "psi"} map_y what map and cut run over
+ * @property {"flat" | "surface"} shape of the map
+ * @property {"hidden" | "shown"} energy over time, with the velocity
  * @property {string} scene
  * @property {"system" | "light" | "dark"} theme
  * @property {string} embed the one panel to show without the rest of the page, or `none`
@@ -65,15 +75,16 @@ export function readAddress(search) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, map, scale, ...page }) {
+export function writeAddress({ collision, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     query.set(key, String(collision[key]));
   }
-  query.set("map", map);
-  query.set("scale", scale);
+  for (const key of WORD_KEYS) {
+    query.set(key, words[key]);
+  }
   for (const [key, [usual]] of Object.entries(PAGE_WORDS)) {
-    const word = page[/** @type {keyof typeof page} */ (key)];
+    const word = words[/** @type {keyof typeof words} */ (key)];
     if (word !== usual) {
       query.set(key, word);
     }

@@ -29,6 +29,7 @@ export function makeTrace(changes = {}) {
     normal_force: Float64Array.of(0, 1, 1, 0),
     tangential_force_over_mu: Float64Array.of(0, -1, 0.5, 0),
     tangential_velocity: Float64Array.of(1.2, 0.4, -0.4, -0.5),
+    tangential_energy: Float64Array.of(0.72, 0.3, 0.2, 0.125),
     switch_times: Float64Array.of(1, 2),
     episodes: [
       { regime: "sliding", start: 0, end: 1, direction: 1 },

@@ -7,6 +7,8 @@ import { mapView } from "../../../frontend/state/map-view.js";
 
 const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
 
+const LOG = { scale: "log", map_y: "gt_over_gn" };
+
 function encoded(dtype, numbers, shape) {
   return { dtype, shape, bdata: Buffer.from(numbers.buffer).toString("base64") };
 }
@@ -50,14 +52,33 @@ test("trace asks for the columns that are drawn, and reads the server's own time
     mu_over_alpha: "1.4",
     gt_over_gn: "1.358",
     samples: "300",
-    quantities: "time,normal_force,tangential_force_over_mu,tangential_velocity",
+    quantities: "time,normal_force,tangential_force_over_mu,tangential_velocity,tangential_energy",
+    encoding: "base64",
+  });
+});
+
+test("cut asks along the vertical axis of the view", async () => {
+  const { asked, client } = clientOf({ values: encoded("f8", Float64Array.of(0.005, 5), "2") });
+  const view = mapView(COLLISION, LOG);
+  const cut = await client.cut({ kappa: 63, muOverAlpha: 1.4, view, count: 200 });
+  assert.deepEqual(cut.values, Float64Array.of(0.005, 5));
+  assert.equal(asked[0].pathname, "/api/v1/cut");
+  assert.deepEqual(Object.fromEntries(asked[0].searchParams), {
+    along: "gt_over_gn",
+    kappa: "63",
+    mu_over_alpha: "1.4",
+    minimum: "0.005",
+    maximum: "5",
+    count: "200",
+    scale: "log",
+    quantities: "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote",
     encoding: "base64",
   });
 });
 
 test("map asks for the axes of the view", async () => {
   const { asked, client } = clientOf({});
-  await client.map(1.4, mapView(COLLISION, "log"), { kappa: 80, gtOverGn: 60 });
+  await client.map(1.4, mapView(COLLISION, LOG), { kappa: 80, gtOverGn: 60 });
   assert.equal(
     asked[0].search,
     "?mu_over_alpha=1.4&kappa_min=0.1&kappa_max=1000&kappa_count=80&kappa_scale=log" +

@@ -9,7 +9,7 @@ import {
   switchStops,
 } from "../../../frontend/figures/color-scales.js";
 import { mapFigure, mostSwitches } from "../../../frontend/figures/map-figure.js";
-import { mapView } from "../../../frontend/state/map-view.js";
+import { horizontalAxis, mapView } from "../../../frontend/state/map-view.js";
 import { luminance } from "../contrast.js";
 import { SIZE, THEME } from "../fixtures.js";
 
@@ -21,8 +21,14 @@ const GRID = {
 };
 const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
 
-function figure(quantity, scale) {
-  return mapFigure({ grid: GRID, view: mapView(AT, scale), quantity }, THEME, SIZE);
+function viewOf(scale) {
+  return mapView(AT, { scale, map_y: "gt_over_gn" });
+}
+
+function figure(quantity, scale, symbol = "kappa") {
+  const view = viewOf(scale);
+  const horizontal = horizontalAxis(view, symbol);
+  return mapFigure({ grid: GRID, view, horizontal, quantity }, THEME, SIZE);
 }
 
 test("mapFigure shows the grid as it came, its first and last columns on the ends of the axis", () => {
@@ -33,7 +39,7 @@ test("mapFigure shows the grid as it came, its first and last columns on the end
 
 test("mapFigure puts each tick where its value lies", () => {
   for (const scale of ["linear", "log"]) {
-    const view = mapView(AT, scale);
+    const view = viewOf(scale);
     const { tickvals, ticktext } = figure("epsilon_t", scale).layout.xaxis;
     assert.ok(tickvals.length >= 4);
     for (const [i, share] of tickvals.entries()) {
@@ -41,6 +47,15 @@ test("mapFigure puts each tick where its value lies", () => {
       assert.ok(Math.abs(view.kappa.fromShare(share) / Number(ticktext[i]) - 1) < 1e-9);
     }
   }
+});
+
+test("mapFigure relabels the horizontal axis and leaves the picture", () => {
+  const [kappa, paper] = ["kappa", "alpha_kappa"].map((symbol) =>
+    figure("epsilon_t", "linear", symbol),
+  );
+  assert.deepEqual(kappa.data, paper.data);
+  const at20 = paper.layout.xaxis.ticktext.indexOf("20");
+  assert.ok(Math.abs(paper.layout.xaxis.tickvals[at20] - 1) < 1e-12);
 });
 
 test("mapFigure gives counts one colour for each pair of switches", () => {

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { placesAmong, spreadIndices } from "../../../frontend/figures/sample.js";
-import { forceTable, mapTable } from "../../../frontend/figures/tables.js";
+import { cutTable, forceTable, mapTable } from "../../../frontend/figures/tables.js";
 
 test("spreadIndices has both ends, what must not be missed, and each index once, in order", () => {
   assert.deepEqual(spreadIndices(101, 3, [7, 50]), [0, 7, 50, 100]);
@@ -42,9 +42,24 @@ test("mapTable marks the row of the present collision and gives the cell nearest
   const epsilon_t = Array.from(gt_over_gn, (u) => Float64Array.from(kappa, (k) => u + k / 1000));
   const { headings, rows, here } = mapTable(
     { grid: { kappa, gt_over_gn, epsilon_t }, quantity: "epsilon_t" },
+    { along: "g_t/g_n", here: 0.31, frame: "at μ/α = 1" },
     { kappa: 3.2, mu_over_alpha: 1, gt_over_gn: 0.31 },
   );
   assert.equal(rows[here][0], "0.300");
   assert.equal(rows[here][headings.indexOf("κ 3.00")], "0.303");
   assert.equal(rows[0].length, headings.length);
+});
+
+test("cutTable marks the row of the present collision and shows what a law does not say as absent", () => {
+  const values = Float64Array.from({ length: 200 }, (_, i) => (i + 1) / 50);
+  const law = values.map((u) => (u < 2 ? 0.1 : Number.NaN));
+  const cut = { values, epsilon_t: values, switches: new Int32Array(200), coulomb: values };
+  const { rows, here } = cutTable(
+    { ...cut, stiff_bound: law, stiff_asymptote: law },
+    "g_t/g_n",
+    1.003,
+    18,
+  );
+  assert.equal(rows[here][0], "1.000");
+  assert.equal(rows.at(-1).at(-1), "–");
 });

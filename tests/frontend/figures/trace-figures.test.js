@@ -109,3 +109,26 @@ test("velocityFigure draws a sphere without tangential velocity", () => {
   const [low, high] = velocityFigure(still, THEME, SIZE).layout.yaxis.range;
   assert.ok(low < 0 && high > 0);
 });
+
+test("velocityFigure draws the energy as a share of the axis above zero, when it is asked for", () => {
+  const plain = velocityFigure(makeTrace(), THEME, SIZE);
+  assert.equal(named(plain, "tangential energy"), undefined);
+  const trace = makeTrace();
+  const { data, layout } = velocityFigure(trace, THEME, SIZE, true);
+  const { x, y } = named({ data }, "tangential energy");
+  assert.equal(x, trace.time);
+  const full = layout.yaxis2.tickvals[layout.yaxis2.ticktext.indexOf("100 %")];
+  assert.deepEqual(
+    [...y].map((value) => Number((value / full).toPrecision(6))),
+    [1, 0.416667, 0.277778, 0.173611],
+  );
+  assert.deepEqual(layout.yaxis2.range, layout.yaxis.range);
+});
+
+test("velocityFigure draws no energy where there is none to begin with", () => {
+  for (const energy of [0, Infinity]) {
+    const trace = makeTrace({ tangential_energy: new Float64Array(4).fill(energy) });
+    const { y } = named(velocityFigure(trace, THEME, SIZE, true), "tangential energy");
+    assert.deepEqual([...y], [0, 0, 0, 0]);
+  }
+});

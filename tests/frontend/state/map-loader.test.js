@@ -7,6 +7,7 @@ const STATE = {
   collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 },
   map: "epsilon_t",
   scale: "linear",
+  map_y: "gt_over_gn",
 };
 const settled = () => new Promise((resolve) => setImmediate(resolve));
 
@@ -71,4 +72,16 @@ test("createMapLoader asks anew once it has been told to forget", async (context
   await follow({}, false);
   loader.forget();
   assert.equal(await follow({}, false), 2);
+});
+
+test("createMapLoader asks for one map over ψ, whatever the μ/α", async (context) => {
+  const { asked, follow } = makeLoader(context);
+  const state = { ...STATE, map_y: "psi" };
+  await follow({}, false, state);
+  await follow({ mu_over_alpha: 2 }, true, state);
+  await follow({ mu_over_alpha: 0.7 }, false, state);
+  assert.deepEqual(
+    asked.map(({ muOverAlpha, view }) => [muOverAlpha, view.vertical]),
+    [[1, "psi"]],
+  );
 });

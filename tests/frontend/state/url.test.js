@@ -5,7 +5,18 @@ import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
-const USUAL_PAGE = { scene: "explorer", theme: "system", embed: "none" };
+const USUAL = {
+  collision: INITIAL_COLLISION,
+  map: "epsilon_t",
+  scale: "linear",
+  map_x: "kappa",
+  map_y: "gt_over_gn",
+  shape: "flat",
+  energy: "hidden",
+  scene: "explorer",
+  theme: "system",
+  embed: "none",
+};
 
 test("readAddress gives back exactly the state that writeAddress wrote", () => {
   const numbers = spreadNumbers(5, 300, 1e-300, 1e300);
@@ -15,6 +26,10 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       collision: { kappa, mu_over_alpha, gt_over_gn },
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
+      map_x: i % 5 ? "kappa" : "alpha_kappa",
+      map_y: i % 7 ? "gt_over_gn" : "psi",
+      shape: i % 3 ? "flat" : "surface",
+      energy: i % 8 > 3 ? "hidden" : "shown",
       scene: "explorer",
       theme: ["system", "light", "dark"][i % 3],
       embed: ["none", "force", "map"][(i >> 1) % 3],
@@ -25,12 +40,7 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
 
 test("readAddress of nothing is the usual state, without complaint", () => {
   const { state, problems } = readAddress("");
-  assert.deepEqual(state, {
-    collision: INITIAL_COLLISION,
-    map: "epsilon_t",
-    scale: "linear",
-    ...USUAL_PAGE,
-  });
+  assert.deepEqual(state, USUAL);
   assert.deepEqual(problems, []);
 });
 
@@ -39,10 +49,9 @@ test("readAddress replaces nonsense by the usual value and names each piece of i
     "?kappa=-3&mu_over_alpha=1e999&gt_over_gn=0.5&map=%3Cscript%3E&scale=log",
   );
   assert.deepEqual(state, {
+    ...USUAL,
     collision: { ...INITIAL_COLLISION, gt_over_gn: 0.5 },
-    map: "epsilon_t",
     scale: "log",
-    ...USUAL_PAGE,
   });
   assert.deepEqual(problems, [
     "κ must be a number greater than 0, not “-3”",

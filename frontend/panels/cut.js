@@ -1,0 +1,171 @@
+// @ts-check
+
+import { cutFigure } from "../figures/cut-figure.js";
+import { CUT_MARGIN } from "../figures/plot-area.js";
+import { axesMuOverAlpha, gtOverGnAt, placeOnMap } from "../state/map-view.js";
+import { find } from "./find.js";
+import { createPlot } from "./plot.js";
+import { letterOf } from "./presets.js";
+import { typeset } from "./typeset.js";
+
+/**
+ * @typedef {Parameters<typeof cutFigure>[0]} ShownCut
+ * @typedef {import("../state/parameters.js").Collision} Collision
+ */
+
+/**
+ * The cut with a mark at the present collision, which is laid over the plot so that moving it draws
+ * nothing anew.
+ * @param {HTMLElement} element
+ * @param {(place: {gt_over_gn?: number}, change: {dragging: boolean, inputTimeStamp: number}) => void} onPlace
+ */
+export function mountCut(element, onPlace) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, (/** @type {ShownCut} */ subject, theme, size) => {
+    const figure = cutFigure(subject, theme, size);
+    range = figure.layout.yaxis.range;
+    moveMark();
+    return figure;
+  });
+  const stage = find(".plot-stage", element);
+  const mark = find(".cut-mark", element);
+  const { l, r, t, b } = CUT_MARGIN;
+  mark.style.setProperty("inset", `${t / 16}rem ${r / 16}rem ${b / 16}rem ${l / 16}rem`);
+  /** @type {[number, number]} */
+  let range = [-1, 1];
+  /** @type {ShownCut | null} */
+  let shown = null;
+  /** @type {import("../figures/cut-figure.js").Letter[]} */
+  let letters = [];
+  /** @type {Collision | null} */
+  let present = null;
+  let epsilon = 0;
+  let isOnCurve = false;
+  let most = 0;
+  /** @type {DOMRect | null} */
+  let box = null;
+
+  /** @param {PointerEvent} event */
+  function place(event) {
+    if (shown && box && present) {
+      const share = (event.clientX - box.left) / box.width;
+      const gt_over_gn = gtOverGnAt(shown.view, share, present.mu_over_alpha);
+      onPlace({ gt_over_gn }, { dragging: true, inputTimeStamp: event.timeStamp });
+    }
+  }
+
+  mark.addEventListener("pointerdown", (event) => {
+    if (event.button === 0) {
+      mark.setPointerCapture(event.pointerId);
+      // Measured once a drag: it does not move under the hand, and measuring costs a layout.
+      box = mark.getBoundingClientRect();
+      place(event);
+    }
+  });
+  mark.addEventListener("pointermove", (event) => {
+    if (mark.hasPointerCapture(event.pointerId)) {
+      place(event);
+    }
+  });
+  mark.addEventListener("lostpointercapture", (event) => {
+    onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+
+  function moveMark() {
+    if (!shown || !present) {
+      return;
+    }
+    const { y: share } = placeOnMap(shown.view, present);
+    const [low, high] = range;
+    mark.style.setProperty("--x", String(share));
+    mark.style.setProperty("--y", String((high - epsilon) / (high - low)));
+    mark.toggleAttribute("data-placed", true);
+  }
+
+  /** @param {boolean} quickly */
+  function draw(quickly) {
+    if (shown) {
+      plot.show({ ...shown, letters, most }, quickly);
+    }
+  }
+
+  return {
+    /**
+     * @param {Omit<ShownCut, "letters" | "most">} next
+     * @param {boolean} dragging
+     */
+    show(next, dragging) {
+      shown = { ...next, letters, most };
+      stage.toggleAttribute("data-withheld", false);
+      typeset(find(".withheld", stage), "");
+      draw(dragging);
+      plotElement.setAttribute(
+        "aria-label",
+        `Coefficient of tangential restitution over g_t/g_n at κ = ${next.kappa}, with Coulomb's law and the limits of a stiff spring; the slider of g_t/g_n moves the mark.`,
+      );
+    },
+
+    /** @param {string} reason */
+    withhold(reason) {
+      stage.toggleAttribute("data-withheld", true);
+      typeset(find(".withheld", stage), reason);
+    },
+
+    /** @param {import("../api/client.js").Preset[]} presets among which the letters of Fig. 5 are */
+    offer(presets) {
+      letters = presets.flatMap((preset) => {
+        const letter = letterOf(preset);
+        const { kappa, gt_over_gn, mu_over_alpha } = preset;
+        return letter ? [{ letter, kappa, psi: gt_over_gn / mu_over_alpha }] : [];
+      });
+      draw(false);
+    },
+
+    /** The number of switches up to which the map has colours. @param {number} count */
+    colorUpTo(count) {
+      if (count !== most) {
+        most = count;
+        draw(false);
+      }
+    },
+
+    /**
+     * At once, at the height of the curve, if that is of this collision's κ and μ/α.
+     * @param {Collision} collision
+     */
+    point(collision) {
+      present = collision;
+      isOnCurve =
+        shown?.kappa === collision.kappa &&
+        shown.muOverAlpha === axesMuOverAlpha(shown.view, collision);
+      if (shown && isOnCurve) {
+        epsilon = heightAt(shown.cut.epsilon_t, placeOnMap(shown.view, collision).y);
+      }
+      moveMark();
+    },
+
+    /**
+     * At the height that the server gives, unless that is behind what the curve tells.
+     * @param {{parameters: Collision, epsilon_t: number}} result
+     */
+    settle({ parameters, epsilon_t }) {
+      if (!isOnCurve || parameters.gt_over_gn === present?.gt_over_gn) {
+        epsilon = epsilon_t;
+        moveMark();
+      }
+    },
+
+    unmount: plot.destroy,
+  };
+}
+
+/**
+ * On the straight line between two samples.
+ * @param {Float64Array} samples
+ * @param {number} share
+ */
+function heightAt(samples, share) {
+  const place = share * (samples.length - 1);
+  const i = Math.min(samples.length - 2, Math.floor(place));
+  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
+}
