@@ -15,7 +15,8 @@ import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
 import { createMapLoader } from "./state/map-loader.js";
-import { PARAMETERS } from "./state/parameters.js";
+import { readMap } from "./state/map-reading.js";
+import { PARAMETERS, sameCollision } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 
@@ -78,7 +79,7 @@ const maps = createMapLoader({
   onError: explain,
 });
 
-/** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
+/** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
 let shownMap = null;
 let presetsAreHere = false;
 
@@ -94,6 +95,9 @@ const connection = createConnection({
 store.subscribe((state, previous, change) => {
   notice.clear();
   showState(state);
+  if (!sameCollision(state.collision, previous.collision)) {
+    preview(state.collision, change);
+  }
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
@@ -126,6 +130,25 @@ function showState(state) {
   map.point(state.collision);
   map.options(state);
   presets.show(state.collision);
+}
+
+/**
+ * What the map on the page knows of it, in the next frame, whatever the server takes.
+ * @param {Collision} collision
+ * @param {Change} change
+ */
+function preview(collision, { inputTimeStamp }) {
+  const reading = shownMap && readMap(shownMap, collision);
+  strip.preview(reading);
+  if (reading) {
+    map.legend.point(reading);
+  }
+  afterNextFrame(() => {
+    announcePainted("crosshair", inputTimeStamp);
+    if (reading) {
+      announcePainted("strip", inputTimeStamp);
+    }
+  });
 }
 
 function loadAll() {
@@ -182,11 +205,14 @@ async function loadCollision({ collision }, signal) {
 /**
  * The strip and the force trace first; what can wait a frame, after them.
  * @param {Awaited<ReturnType<typeof loadCollision>>} answer
- * @param {{change: Change}} wish
+ * @param {{collision: Collision, change: Change}} wish
  */
-function showCollision({ result, trace, reason }, { change }) {
-  strip.show(result, change.dragging);
-  map.legend.point(result);
+function showCollision({ result, trace, reason }, { collision, change }) {
+  const isPresent = sameCollision(collision, store.get().collision);
+  strip.show(result, change.dragging, isPresent);
+  if (isPresent) {
+    map.legend.point(result);
+  }
   let isLight = false;
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
