@@ -2,6 +2,7 @@
 
 import { createClient, Refused, Unreachable } from "./api/client.js";
 import { SYMBOLS } from "./format/symbols.js";
+import { mountContactAnimation } from "./panels/contact-animation.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
@@ -39,16 +40,20 @@ const notice = mountMessage(byTestId("notice"));
 const strip = mountResultStrip(byTestId("result"));
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
-const timeCursor = mountTimeCursor([
-  {
-    panel: find(".force"),
-    columns: [
-      [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
-      [SYMBOLS.normal_force, "normal_force"],
-    ],
-  },
-  { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
-]);
+const timeCursor = mountTimeCursor(
+  [
+    {
+      panel: find(".force"),
+      columns: [
+        [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
+        [SYMBOLS.normal_force, "normal_force"],
+      ],
+    },
+    { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
+  ],
+  (share) => animation.point(share),
+);
+const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
 const map = mountMap(find(".map-panel"), {
   onPlace: changeCollision,
   onOption: (patch) => store.set(patch),
@@ -82,6 +87,7 @@ const maps = createMapLoader({
 /** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
 let shownMap = null;
 let presetsAreHere = false;
+let hasPlayed = false;
 
 const connection = createConnection({
   isHealthy: client.isHealthy,
@@ -96,6 +102,7 @@ store.subscribe((state, previous, change) => {
   notice.clear();
   showState(state);
   if (!sameCollision(state.collision, previous.collision)) {
+    animation.pause();
     preview(state.collision, change);
   }
   if (!change.fromAddress) {
@@ -217,22 +224,37 @@ function showCollision({ result, trace, reason }, { collision, change }) {
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
     timeCursor.show(trace);
+    timeCursor.follow(animation.share());
   } else {
+    animation.withhold();
     force.withhold(`No picture of this one: ${reason}`);
     velocity.withhold("No picture of this one");
   }
   afterNextFrame(() => {
     announcePainted("force-trace", change.inputTimeStamp);
-    if (trace && !isLight) {
-      velocity.show(trace, change.dragging);
+    if (trace) {
+      if (!isLight) {
+        velocity.show(trace, change.dragging);
+      }
+      animation.show(trace);
     }
     if (change.dragging) {
       maps.follow(store.get(), true);
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);
+      animation.describe();
+      playOnce();
     }
   });
+}
+
+/** The first picture moves by itself, as soon as it is there. */
+function playOnce() {
+  if (!hasPlayed) {
+    hasPlayed = true;
+    animation.playGently();
+  }
 }
 
 /** @param {unknown} error */

@@ -23,7 +23,7 @@ import { decodeArrays } from "./arrays.js";
 /**
  * What this page reads of an answer of `/trace`, its columns among it.
  * @typedef {CollisionAnswer & Columns & {switch_times: Float64Array}} Trace
- * @typedef {Record<"time" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity", Float64Array>} Columns
+ * @typedef {Record<"time" | "compression" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity" | "spring_elongation", Float64Array>} Columns
  */
 
 /** @typedef {{regime: "sliding" | "sticking", start: number, end: number, direction: number}} Episode */
@@ -44,7 +44,8 @@ export class Unreachable extends Error {}
 /** The server answered that it will not answer this: its reason is the message. */
 export class Refused extends Error {}
 
-const TRACE_COLUMNS = "time,normal_force,tangential_force_over_mu,tangential_velocity";
+const TRACE_COLUMNS =
+  "time,compression,normal_force,tangential_force_over_mu,tangential_velocity,spring_elongation";
 const LONGEST_WAIT = 15_000;
 
 /** The only place that knows the server. */
