@@ -224,7 +224,6 @@ function showCollision({ result, trace, reason }, { collision, change }) {
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
     timeCursor.show(trace);
-    timeCursor.follow(animation.share());
   } else {
     animation.withhold();
     force.withhold(`No picture of this one: ${reason}`);

@@ -11,8 +11,8 @@ import { regimeOf } from "./regimes.js";
 
 /** The ground under the contact, with the tracks in it, in pixels. */
 const GROUND = 46;
-/** How deep the largest undamped compression, 1.09, flattens the ball. */
-const PIXELS_PER_COMPRESSION = 17;
+/** How deep a compression of one flattens the ball, in radii; undamped, it reaches 1.09. */
+const RADII_PER_COMPRESSION = 0.12;
 /** The longest arrow that leaves its label room, for the largest undamped force, 1.14. */
 const LONGEST_ARROW = 50;
 const LABEL = 15;
@@ -37,20 +37,25 @@ export function contactScene(motion, share, size) {
   const place = placing(motion, size);
   const ground = size.height - GROUND;
   const shoe = { x: place.foot(state.slip), y: ground - SHOE.height };
-  const center = shoe.x + place.pixelsPerElongation * state.elongation;
+  const center = shoe.x + place.ahead(state.elongation);
   const anchor = { x: center, y: ground - place.anchorHeight };
   return {
     ...state,
     instant,
     ground,
-    ball: ballPath(center, ground, place.radius, PIXELS_PER_COMPRESSION * state.compression),
+    ball: ballPath(
+      center,
+      ground,
+      place.radius,
+      RADII_PER_COMPRESSION * place.radius * state.compression,
+    ),
     anchor,
     shoe: { ...shoe, ...SHOE },
     spring: springPath(shoe, anchor),
     normalArrow: arrowPath(anchor, { x: 0, y: -place.pixelsPerForce * state.normalForce }),
     tangentialArrow: arrowPath(anchor, { x: place.pixelsPerForce * state.tangentialForce, y: 0 }),
     tracks: tracks(motion, instant, ground, place.foot, episodes),
-    enlarged: place.pixelsPerElongation / place.pixelsPerSlip,
+    enlarged: place.enlarged,
   };
 }
 
@@ -60,22 +65,27 @@ export function contactScene(motion, share, size) {
  * @param {Size} size
  */
 function placing({ slipRange, largestElongation }, { width, height }) {
-  const radius = Math.min(150, 0.27 * width, 1.6 * (height - GROUND));
+  const room = height - GROUND;
+  const radius = Math.min(0.27 * width, 1.6 * room, Math.max(150, 0.75 * room));
   const reach = 0.46 * radius;
-  const pixelsPerElongation = largestElongation > 0 ? reach / largestElongation : 1;
-  const room = Math.max(40, width - 2 * radius - 2 * reach);
+  const way = Math.max(40, width - 2 * radius - 2 * reach);
   const range = slipRange.max - slipRange.min;
-  const pixelsPerSlip = Math.min(pixelsPerElongation, range > 0 ? room / range : Infinity);
-  const middle = (slipRange.min + slipRange.max) / 2;
-  const anchorHeight = 0.47 * Math.min(radius, height - GROUND);
-  const above = height - GROUND - anchorHeight - LABEL;
+  const middle = slipRange.min / 2 + slipRange.max / 2;
+  // As shares of the largest, for the numbers of a collision may be near the ends of what a double holds.
+  const slipPerStretch = largestElongation > 0 ? range / largestElongation : Infinity;
+  const used = Math.min(way, reach * slipPerStretch);
+  const slides = range > 0 && Number.isFinite(range);
+  const anchorHeight = 0.47 * Math.min(radius, room);
+  const above = room - anchorHeight - LABEL;
   return {
     radius,
     anchorHeight,
     pixelsPerForce: Math.max(0, Math.min(LONGEST_ARROW, above)) / 1.15,
-    pixelsPerElongation,
-    pixelsPerSlip,
-    foot: (/** @type {number} */ slip) => width / 2 + pixelsPerSlip * (slip - middle),
+    enlarged: slides ? (reach * slipPerStretch) / used : 1,
+    ahead: (/** @type {number} */ elongation) =>
+      largestElongation > 0 ? reach * (elongation / largestElongation) : 0,
+    foot: (/** @type {number} */ slip) =>
+      width / 2 + (slides ? used * ((slip - middle) / range) : 0),
   };
 }
 

@@ -10,6 +10,8 @@ import { currentTheme } from "./theme.js";
 const WORDS = { forward: "slides →", backward: "← slides back", sticking: "sticks" };
 /** Where it rests on a page that nobody has touched: the spring is wound up there. */
 const TELLING_SHARE = 0.42;
+/** How long the end is shown before it goes back there, in ms. */
+const REST = 900;
 
 /**
  * The two surfaces in contact with their spring, to play, to pause and to move to and fro in time.
@@ -40,6 +42,9 @@ export function mountContactAnimation(element, { onShare }) {
   let motion = null;
   /** @type {import("../figures/plot-area.js").Size | null} */
   let size = null;
+  let isGentle = false;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let rest;
 
   const playback = createPlayback({
     onShare(share) {
@@ -50,6 +55,9 @@ export function mountContactAnimation(element, { onShare }) {
       playButton.toggleAttribute("data-playing", isPlaying);
       playButton.setAttribute("aria-label", isPlaying ? "Pause" : "Play the contact");
       describe();
+      if (isGentle && !isPlaying) {
+        rest = setTimeout(() => playback.seek(TELLING_SHARE), REST);
+      }
     },
     nextFrame: (task) => requestAnimationFrame(task),
     initial: TELLING_SHARE,
@@ -86,7 +94,9 @@ export function mountContactAnimation(element, { onShare }) {
     write(word, WORDS[scene.regime]);
     write(
       enlarged,
-      scene.enlarged > 1.5 ? `stretch drawn × ${brief(rounded(scene.enlarged))}` : "",
+      scene.enlarged > 1.5 && scene.enlarged < 1e6
+        ? `stretch drawn × ${brief(rounded(scene.enlarged))}`
+        : "",
     );
     if (!playback.isPlaying()) {
       scrub.setAttribute(
@@ -119,14 +129,24 @@ export function mountContactAnimation(element, { onShare }) {
     }
   }
 
+  /** Gives up showing itself: someone has taken over. */
+  function endGentle() {
+    clearTimeout(rest);
+    isGentle = false;
+  }
+
   playButton.addEventListener("click", () => {
+    endGentle();
     if (playback.isPlaying()) {
       playback.pause();
     } else {
       playback.play();
     }
   });
-  scrub.addEventListener("input", () => playback.seek(scrub.valueAsNumber / 1000));
+  scrub.addEventListener("input", () => {
+    endGentle();
+    playback.seek(scrub.valueAsNumber / 1000);
+  });
   byTestId("contact-speed", element).addEventListener("change", (event) => {
     playback.setSpeed(Number(/** @type {HTMLInputElement} */ (event.target).value));
   });
@@ -137,6 +157,7 @@ export function mountContactAnimation(element, { onShare }) {
     draw();
   });
   observer.observe(stage);
+  onShare(TELLING_SHARE);
 
   return {
     /** @param {import("../api/client.js").Trace} trace */
@@ -153,12 +174,13 @@ export function mountContactAnimation(element, { onShare }) {
 
     describe,
 
-    share: playback.share,
+    /** Where it had moved by itself, it goes back to rest. */
     pause: playback.pause,
 
     /** Where a hand points in a trace; what plays is left alone. @param {number} share */
     point(share) {
       if (!playback.isPlaying()) {
+        endGentle();
         playback.seek(share);
       }
     },
@@ -168,10 +190,12 @@ export function mountContactAnimation(element, { onShare }) {
       if (motion && !matchMedia("(prefers-reduced-motion: reduce)").matches) {
         playback.seek(0);
         playback.play();
+        isGentle = true;
       }
     },
 
     unmount() {
+      endGentle();
       playback.pause();
       observer.disconnect();
     },

@@ -1,7 +1,6 @@
 """How long after an input the answer is on the screen; printed beside an empty page's figure."""
 
 import statistics
-import time
 
 import numpy as np
 import pytest
@@ -112,12 +111,11 @@ def test_strip_and_crosshair_follow_at_once_over_a_slow_network(
     page.evaluate(RECORD)
     is_map = name == "map"
     drag(page, page.get_by_test_id("crosshair" if is_map else f"{name}-slider"), across=is_map)
-    released = time.monotonic()
-    # A second would be a queue: one request is under way, one comes after it.
-    while not agrees(page, server):
-        assert time.monotonic() - released < 1 + 3 * delay / 1000
-        page.wait_for_timeout(10)
-    settled = 1000 * (time.monotonic() - released)
+    # More would be a queue: one request is under way, one comes after it.
+    page.wait_for_timeout(500 + 2.5 * delay)
+    assert agrees(page, server)
+    # The last one asked for is that of the release.
+    settled = latencies(page, "force-trace")[-1]
     strip, crosshair = latencies(page, "strip"), latencies(page, "crosshair")
     most = page.evaluate("() => window.mostUnderWay")
     empty = empty_page(page, server)
@@ -128,7 +126,9 @@ def test_strip_and_crosshair_follow_at_once_over_a_slow_network(
     # Beyond the map on the page its last values stand, so there are fewer of the strip.
     assert len(strip) > 30
     assert max(most.values()) <= 2
-    # the goals are a median of 17 ms and a p95 of 33 ms; a shared machine's noise gets twice that
+    # the goals are 150 ms after the release where nothing is added, and for each input a median of
+    # 17 ms and a p95 of 33 ms; a shared machine's noise gets twice that
+    assert settled < 300 + 2.2 * delay
     for times in (strip, crosshair):
         assert statistics.median(times) < 34
         assert np.percentile(times, 95) < 66

@@ -66,7 +66,13 @@ test("contactScene stays in the picture, on a phone as well, and finite where no
     tangential_velocity: new Float64Array(4),
     spring_elongation: new Float64Array(4),
   });
-  for (const trace of [TRACE, still]) {
+  const extreme = (factor) =>
+    makeTrace({
+      compression: Float64Array.of(0, 1, 1, 0),
+      tangential_velocity: TRACE.tangential_velocity.map((value) => factor * value),
+      spring_elongation: TRACE.spring_elongation.map((value) => factor * value),
+    });
+  for (const trace of [TRACE, still, extreme(1e-322), extreme(1.7e308)]) {
     for (const size of [SIZE, { width: 320, height: 176 }, { width: 800, height: 90 }]) {
       for (const share of [0, 0.3, 0.5, 1]) {
         const scene = contactScene(contactMotion(trace), share, size);
