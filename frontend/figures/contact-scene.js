@@ -90,14 +90,15 @@ function placing({ slipRange, largestElongation }, { width, height }) {
 }
 
 /**
- * A circle of which the plane has cut off so much.
+ * A circle of which the plane has cut off so much; a pixel at least, for an arc that ends where it
+ * begins is not drawn.
  * @param {number} x of its middle
  * @param {number} ground
  * @param {number} radius
  * @param {number} depth
  */
 function ballPath(x, ground, radius, depth) {
-  const half = Math.sqrt(Math.max(0, depth * (2 * radius - depth)));
+  const half = Math.sqrt(Math.max(0.25, depth * (2 * radius - depth)));
   const [left, right] = [x - half, x + half].map(round);
   const r = round(radius);
   return `M${left},${ground}A${r},${r} 0 1 1 ${right},${ground}Z`;

@@ -78,18 +78,19 @@ export function mountContactAnimation(element, { onShare }) {
     const { x, y, width } = scene.shoe;
     place(shoe, { x: x - width / 2, y });
     teeth.setAttribute("transform", `translate(${x.toFixed(2)},${scene.ground})`);
-    for (const [name, arrow] of /** @type {const} */ ([
-      ["normal", scene.normalArrow],
-      ["tangential", scene.tangentialArrow],
-    ])) {
-      arrows[name].setAttribute("d", arrow.path);
-      labels[name].toggleAttribute("hidden", arrow.path === "");
-      const left = name === "tangential" && scene.tangentialForce < 0;
-      place(labels[name], {
-        x: arrow.tip.x + (name === "normal" ? 7 : left ? -44 : 6),
-        y: arrow.tip.y + (name === "normal" ? 6 : 4),
-      });
-    }
+    const { normalArrow, tangentialArrow } = scene;
+    arrows.normal.setAttribute("d", normalArrow.path);
+    arrows.tangential.setAttribute("d", tangentialArrow.path);
+    labels.normal.toggleAttribute("hidden", normalArrow.path === "");
+    labels.tangential.toggleAttribute("hidden", tangentialArrow.path === "");
+    // Each on its own side, so that they are apart where the forces are small.
+    const isLeft = scene.tangentialForce < 0;
+    place(labels.normal, { x: normalArrow.tip.x + (isLeft ? 8 : -20), y: normalArrow.tip.y + 6 });
+    place(labels.tangential, {
+      x: tangentialArrow.tip.x + (isLeft ? -34 : 7),
+      y: tangentialArrow.tip.y + 4,
+    });
+    place(enlarged, { x: size.width - 10, y: size.height - 10 });
     drawTracks(scene.tracks);
     write(word, WORDS[scene.regime]);
     write(
