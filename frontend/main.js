@@ -13,6 +13,7 @@ import { mostSwitches } from "./figures/map-figure.js";
 import { SYMBOLS } from "./format/symbols.js";
 import { mountCut } from "./panels/cut.js";
 import { mountEnergyToggle } from "./panels/energy-toggle.js";
+import { mountContactAnimation } from "./panels/contact-animation.js";
 import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
@@ -30,7 +31,8 @@ import { createLatest } from "./state/latest.js";
 import { createCutLoader, FULL_CUT } from "./state/cut-loader.js";
 import { createMapLoader } from "./state/map-loader.js";
 import { horizontalAxis } from "./state/map-view.js";
-import { PARAMETERS } from "./state/parameters.js";
+import { readMap } from "./state/map-reading.js";
+import { PARAMETERS, sameCollision } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 
@@ -54,16 +56,20 @@ const shell = mountShell({ present: store.get, onOption: (patch) => store.set(pa
 const strip = mountResultStrip(byTestId("result"));
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
-const timeCursor = mountTimeCursor([
-  {
-    panel: find(".force"),
-    columns: [
-      [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
-      [SYMBOLS.normal_force, "normal_force"],
-    ],
-  },
-  { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
-]);
+const timeCursor = mountTimeCursor(
+  [
+    {
+      panel: find(".force"),
+      columns: [
+        [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
+        [SYMBOLS.normal_force, "normal_force"],
+      ],
+    },
+    { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
+  ],
+  (share) => animation.point(share),
+);
+const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
 const map = mountMap(find(".map-panel"), {
   onPlace: changeCollision,
   onOption: (patch) => store.set(patch),
@@ -113,13 +119,14 @@ const cuts = createCutLoader({
   },
 });
 
-/** @type {{grid: import("./api/client.js").MapGrid, view: import("./state/map-view.js").MapView} | null} */
+/** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
 let shownMap = null;
 /** @type {Awaited<ReturnType<typeof loadCollision>> | null} */
 let shownCollision = null;
 /** @type {{cut: import("./api/client.js").Cut, kappa: number, muOverAlpha: number, view: import("./state/map-view.js").MapView} | null} */
 let shownCut = null;
 let presetsAreHere = false;
+let hasPlayed = false;
 
 /** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
 const MAP_LOOKS = ["map", "map_x", "shape"];
@@ -147,6 +154,10 @@ mountPictures({
 store.subscribe((state, previous, change) => {
   notice.clear();
   showState(state);
+  if (!sameCollision(state.collision, previous.collision)) {
+    animation.pause();
+    preview(state.collision, change);
+  }
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
   }
@@ -190,6 +201,25 @@ function drawMap() {
     const { map: quantity, map_x, shape } = store.get();
     map.show({ ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x) }, shape);
   }
+}
+
+/**
+ * What the map on the page knows of it, in the next frame, whatever the server takes.
+ * @param {Collision} collision
+ * @param {Change} change
+ */
+function preview(collision, { inputTimeStamp }) {
+  const reading = shownMap && readMap(shownMap, collision);
+  strip.preview(reading);
+  if (reading) {
+    map.legend.point(reading);
+  }
+  afterNextFrame(() => {
+    announcePainted("crosshair", inputTimeStamp);
+    if (reading) {
+      announcePainted("strip", inputTimeStamp);
+    }
+  });
 }
 
 function loadAll() {
@@ -250,13 +280,16 @@ async function loadCollision({ collision }, signal) {
 /**
  * The strip and the force trace first; what can wait a frame, after them.
  * @param {Awaited<ReturnType<typeof loadCollision>>} answer
- * @param {{change: Change}} wish
+ * @param {{collision: Collision, change: Change}} wish
  */
-function showCollision(answer, { change }) {
+function showCollision(answer, { collision, change }) {
   shownCollision = answer;
   const { result, trace, reason } = answer;
-  strip.show(result, change.dragging);
-  map.settle(result, change.dragging);
+  const isPresent = sameCollision(collision, store.get().collision);
+  strip.show(result, change.dragging, isPresent);
+  if (isPresent) {
+    map.settle(result, change.dragging);
+  }
   cut.settle(result);
   shell.caption(result);
   let isLight = false;
@@ -264,13 +297,17 @@ function showCollision(answer, { change }) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
     timeCursor.show(trace);
   } else {
+    animation.withhold();
     force.withhold(`No picture of this one: ${reason}`);
     velocity.withhold("No picture of this one");
   }
   afterNextFrame(() => {
     announcePainted("force-trace", change.inputTimeStamp);
-    if (trace && !isLight) {
-      velocity.show(trace, change.dragging);
+    if (trace) {
+      if (!isLight) {
+        velocity.show(trace, change.dragging);
+      }
+      animation.show(trace);
     }
     if (change.dragging) {
       maps.follow(store.get(), true);
@@ -278,8 +315,18 @@ function showCollision(answer, { change }) {
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);
+      animation.describe();
+      playOnce();
     }
   });
+}
+
+/** The first picture moves by itself, as soon as it is there. */
+function playOnce() {
+  if (!hasPlayed) {
+    hasPlayed = true;
+    animation.playGently();
+  }
 }
 
 /** @param {unknown} error */

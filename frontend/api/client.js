@@ -23,7 +23,7 @@ import { decodeArrays } from "./arrays.js";
 /**
  * What this page reads of an answer of `/trace`, its columns among it.
  * @typedef {CollisionAnswer & Columns & {switch_times: Float64Array}} Trace
- * @typedef {Record<"time" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity" | "tangential_energy", Float64Array>} Columns
+ * @typedef {Record<"time" | "compression" | "normal_force" | "tangential_force_over_mu" | "tangential_velocity" | "spring_elongation" | "tangential_energy", Float64Array>} Columns
  */
 
 /** @typedef {{regime: "sliding" | "sticking", start: number, end: number, direction: number}} Episode */
@@ -51,7 +51,7 @@ export class Unreachable extends Error {}
 export class Refused extends Error {}
 
 const TRACE_COLUMNS =
-  "time,normal_force,tangential_force_over_mu,tangential_velocity,tangential_energy";
+  "time,compression,normal_force,tangential_force_over_mu,tangential_velocity,spring_elongation,tangential_energy";
 const CUT_COLUMNS = "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote";
 const LONGEST_WAIT = 15_000;
 

@@ -18,7 +18,10 @@ const WORDS = {
 const ROOM_FOR_WORD = 72;
 const ROOM_FOR_SIGN = 30;
 
-/** @param {Episode} episode */
+/**
+ * @param {Episode} episode
+ * @returns {"forward" | "backward" | "sticking"}
+ */
 export function regimeOf({ regime, direction }) {
   if (regime === "sticking") {
     return "sticking";

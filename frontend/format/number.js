@@ -56,6 +56,15 @@ export function significant(value, digits = 4) {
 }
 
 /**
+ * A number to two decimals, as much as a map tells of it.
+ * @param {number} value
+ */
+export function approximate(value) {
+  const text = value.toFixed(2);
+  return Number(text) === 0 ? text.replace("-", "") : properMinus(text);
+}
+
+/**
  * The short form of a tick or a letter: no trailing zeros.
  * @param {number} value
  */

@@ -140,6 +140,8 @@ export function mountMap(element, { onPlace, onOption }) {
   }
 
   return {
+    legend,
+
     /**
      * @param {NonNullable<typeof shown>} map
      * @param {"flat" | "surface"} shape

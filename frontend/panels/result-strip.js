@@ -1,6 +1,6 @@
 // @ts-check
 
-import { duration, errorBound, percentage, significant } from "../format/number.js";
+import { approximate, duration, errorBound, percentage, significant } from "../format/number.js";
 import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
 
@@ -20,20 +20,47 @@ export function mountResultStrip(element) {
   const provenance = place("provenance");
   const mark = place("gauge-mark");
 
+  /**
+   * @param {{epsilon_t: number, switches: number | null}} result
+   * @param {(value: number) => string} inDigits
+   */
+  function showMain(result, inDigits) {
+    const text = inDigits(result.epsilon_t);
+    write(epsilon, text);
+    epsilon.toggleAttribute("data-long", text.includes("×"));
+    write(switches, count(result.switches));
+    mark.style.setProperty("--place", String((result.epsilon_t + 1) / 2));
+  }
+
   return {
+    /**
+     * What the map knows of a collision that is on its way; the other numbers fade until it is here.
+     * @param {import("../state/map-reading.js").MapReading | null} reading
+     */
+    preview(reading) {
+      element.toggleAttribute("data-stale", true);
+      element.toggleAttribute("data-from-map", reading !== null);
+      summary.setAttribute("aria-busy", "true");
+      if (reading) {
+        showMain(reading, approximate);
+      }
+    },
+
     /**
      * @param {import("../api/client.js").CollisionAnswer} result
      * @param {boolean} dragging a screen reader is told the sentence only when this is over
+     * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
      */
-    show(result, dragging) {
+    show(result, dragging, isPresent) {
       summary.setAttribute("aria-busy", String(dragging));
-      write(epsilon, significant(result.epsilon_t));
-      epsilon.toggleAttribute(
-        "data-long",
-        Math.abs(result.epsilon_t) < 1e-3 && result.epsilon_t !== 0,
-      );
+      if (isPresent) {
+        element.removeAttribute("data-stale");
+        element.removeAttribute("data-from-map");
+      }
+      if (!element.hasAttribute("data-from-map")) {
+        showMain(result, significant);
+      }
       epsilon.title = result.convention;
-      write(switches, count(result.switches));
       write(reversals, count(result.reversals));
       write(energyLost, lostShare(result.energy));
       write(contactDuration, significant(result.contact_duration));
@@ -43,7 +70,6 @@ export function mountResultStrip(element) {
         provenance,
         `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
       );
-      mark.style.setProperty("--place", String((result.epsilon_t + 1) / 2));
     },
   };
 }

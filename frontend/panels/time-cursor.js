@@ -13,9 +13,11 @@ import { find } from "./find.js";
 
 /**
  * One instant of the contact, under the pointer, marked and read in every plot over time.
+ * Where no pointer is, the instant of the contact's animation is marked, without its readings.
  * @param {View[]} views
+ * @param {(share: number) => void} onPoint told where the pointer is
  */
-export function mountTimeCursor(views) {
+export function mountTimeCursor(views, onPoint) {
   const { l, r, t, b } = TRACE_MARGIN;
   const cursors = views.map(({ panel }) => find(".time-cursor", panel));
   const readings = views.map(({ panel }) => find(".reading", panel));
@@ -23,6 +25,8 @@ export function mountTimeCursor(views) {
   let trace = null;
   /** @type {number | null} share of the contact, 0 … 1 */
   let share = null;
+  /** That of the animation. */
+  let shown = 0;
 
   for (const cursor of cursors) {
     cursor.style.setProperty("inset", `${t / 16}rem ${r / 16}rem ${b / 16}rem ${l / 16}rem`);
@@ -35,17 +39,24 @@ export function mountTimeCursor(views) {
   /** @param {number | null} next */
   function move(next) {
     share = next;
+    if (share !== null) {
+      onPoint(share);
+    }
     draw();
   }
 
   function draw() {
-    const sample =
-      trace && share !== null ? nearest(trace.time, share * trace.contact_duration) : -1;
+    if (!trace) {
+      return;
+    }
+    const sample = share === null ? -1 : nearest(trace.time, share * trace.contact_duration);
+    const place = share === null ? shown : trace.time[sample] / trace.contact_duration;
     for (const [k, cursor] of cursors.entries()) {
-      cursor.toggleAttribute("data-on", sample >= 0);
-      cursor.toggleAttribute("data-late", (share ?? 0) > 0.55);
-      if (trace && sample >= 0) {
-        cursor.style.setProperty("--x", String(trace.time[sample] / trace.contact_duration));
+      cursor.style.setProperty("--x", place.toFixed(4));
+      cursor.toggleAttribute("data-on", true);
+      cursor.toggleAttribute("data-read", share !== null);
+      cursor.toggleAttribute("data-late", place > 0.55);
+      if (share !== null) {
         readings[k].innerHTML = reading(trace, sample, views[k]);
       }
     }
@@ -55,7 +66,13 @@ export function mountTimeCursor(views) {
     /** @param {Trace} next */
     show(next) {
       trace = next;
-      if (share !== null) {
+      draw();
+    },
+
+    /** Where the animation is. @param {number} next share of the contact */
+    follow(next) {
+      shown = next;
+      if (share === null) {
         draw();
       }
     },

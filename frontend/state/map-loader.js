@@ -24,7 +24,7 @@ const PAUSE = 80;
  * @template Grid
  * @param {object} options
  * @param {(wish: MapWish, signal: AbortSignal) => Promise<Grid>} options.load
- * @param {(map: {grid: Grid, view: MapView}) => void} options.onMap
+ * @param {(map: {grid: Grid, view: MapView, muOverAlpha: number}) => void} options.onMap
  * @param {(error: unknown) => void} options.onError
  */
 export function createMapLoader({ load, onMap, onError }) {
@@ -32,7 +32,7 @@ export function createMapLoader({ load, onMap, onError }) {
   let asked = null;
   const latest = createLatest({
     load,
-    onAnswer: (grid, { view }) => onMap({ grid, view }),
+    onAnswer: (grid, { view, muOverAlpha }) => onMap({ grid, view, muOverAlpha }),
     onError,
     pause: PAUSE,
   });

@@ -51,6 +51,14 @@ export const PARAMETERS = [
   },
 ];
 
+/**
+ * @param {Collision} a
+ * @param {Collision} b
+ */
+export function sameCollision(a, b) {
+  return PARAMETERS.every(({ key }) => a[key] === b[key]);
+}
+
 /** @type {Collision} */
 export const INITIAL_COLLISION = {
   kappa: PARAMETERS[0].initial,

@@ -161,12 +161,13 @@ def test_nonsense_in_the_address_ends_in_a_working_page(explorer, server, addres
 def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, server: str):
     page.goto("/")
     settle(page, server)
-    before = text(page, "epsilon-t")
+    before = text(page, "summary")
     page.route("**/api/**", lambda route: route.abort())
     page.route("**/healthz", lambda route: route.abort())
     page.get_by_test_id("kappa-slider").press("ArrowRight")
     expect(page.get_by_test_id("banner")).to_contain_text("does not answer")
-    assert text(page, "epsilon-t") == before
+    assert text(page, "summary") == before
+    expect(page.get_by_test_id("from-map")).to_have_css("opacity", "1")
     page.unroute_all()
     expect(page.get_by_test_id("banner")).to_be_empty(timeout=15_000)
     settle(page, server)

@@ -52,7 +52,8 @@ test("trace asks for the columns that are drawn, and reads the server's own time
     mu_over_alpha: "1.4",
     gt_over_gn: "1.358",
     samples: "300",
-    quantities: "time,normal_force,tangential_force_over_mu,tangential_velocity,tangential_energy",
+    quantities:
+      "time,compression,normal_force,tangential_force_over_mu,tangential_velocity,spring_elongation,tangential_energy",
     encoding: "base64",
   });
 });

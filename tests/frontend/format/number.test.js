@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
+  approximate,
   brief,
   duration,
   errorBound,
@@ -114,4 +115,13 @@ test("typable gives back the very number when read", () => {
 
 test("powerOfTen raises every digit", () => {
   assert.equal(powerOfTen(-1203), "10⁻¹²⁰³");
+});
+
+test("approximate keeps two decimals, and no sign on nothing", () => {
+  assert.deepEqual([0.0863, -0.0863, -0.001, 1].map(approximate), [
+    "0.09",
+    "−0.09",
+    "0.00",
+    "1.00",
+  ]);
 });

@@ -1,0 +1,82 @@
+"""What a drag moves by hand lies where Plotly draws it afterwards."""
+
+import pytest
+from explorer import settle
+from playwright.sync_api import Page
+
+pytestmark = pytest.mark.browser
+
+COUNT_DRAWINGS = """() => {
+  const direct = Plotly.react;
+  window.drawings = {};
+  Plotly.react = (element, ...rest) => {
+    drawings[element.dataset.testid] = (drawings[element.dataset.testid] ?? 0) + 1;
+    return direct(element, ...rest);
+  };
+}"""
+
+MARKS = """(plot) => {
+  const numbers = (text) => (text ?? "").match(/-?[\\d.]+(?:e-?\\d+)?/g)?.map(Number) ?? [];
+  const all = (selector) => [...plot.querySelectorAll(selector)];
+  const fill = (element) => {
+    const {fill, fillOpacity} = getComputedStyle(element);
+    const [red, green, blue, alpha = 1] = numbers(fill);
+    return [red, green, blue, alpha * Number(fillOpacity)];
+  };
+  return {
+    lines: all(".js-line").map((line) => numbers(line.getAttribute("d"))),
+    points: all("path.point").map((point) => numbers(point.getAttribute("transform"))),
+    numbers: all("g.textpoint text").map((text) =>
+      [text.textContent, Number(text.getAttribute("x")), Number(text.getAttribute("y"))]),
+    bars: all(".barlayer g.point > path").map((bar) => numbers(bar.getAttribute("d"))),
+    fills: all(".barlayer g.point > path").map(fill),
+    words: all(".barlayer g.point > text").map((text) => text.textContent),
+    wordPlaces: all(".barlayer g.point > text").map((text) =>
+      numbers(text.getAttribute("transform"))[0]),
+  };
+}"""
+
+# Both round to a hundredth of a pixel, by ways of their own.
+PIXELS = 0.025
+
+
+def marks(page: Page, name: str) -> dict[str, list]:
+    return page.get_by_test_id(name).evaluate(MARKS)
+
+
+@pytest.mark.parametrize("name", ["force-trace", "velocity"])
+@pytest.mark.parametrize(
+    ("slider", "shares"),
+    [("kappa", (0.3, 0.55, 0.7)), ("gt-over-gn", (0.2, 0.45, 0.6)), ("mu-over-alpha", (0.2, 0.8))],
+)
+def test_marks_moved_while_dragging_are_those_that_plotly_draws(
+    page: Page, server: str, name: str, slider: str, shares: tuple[float, ...]
+):
+    page.emulate_media(reduced_motion="reduce")
+    page.goto("/")
+    settle(page, server)
+    page.evaluate(COUNT_DRAWINGS)
+    box = page.get_by_test_id(f"{slider}-slider").bounding_box()
+    y = box["y"] + box["height"] / 2
+    moved_by_hand = 0
+    for share in shares:
+        page.evaluate("window.drawings = {}")
+        page.mouse.move(box["x"] + (share - 0.05) * box["width"], y)
+        page.mouse.down()
+        page.wait_for_timeout(150)
+        page.evaluate("window.drawings = {}")
+        page.mouse.move(box["x"] + share * box["width"], y, steps=3)
+        page.wait_for_timeout(300)
+        dragged = marks(page, name)
+        is_by_hand = not page.evaluate("(name) => window.drawings[name]", name)
+        moved_by_hand += is_by_hand
+        page.mouse.up()
+        page.wait_for_timeout(300)
+        assert page.evaluate("(name) => window.drawings[name]", name)
+        drawn = marks(page, name)
+        for kind, values in drawn.items():
+            assert len(dragged[kind]) == len(values), kind
+            for moved, wanted in zip(dragged[kind], values, strict=True):
+                assert moved == pytest.approx(wanted, abs=PIXELS), kind
+    # An axis that changes is Plotly's to draw, but that is the exception.
+    assert moved_by_hand > 0
