@@ -39,7 +39,7 @@ import { decodeArrays } from "./arrays.js";
 /**
  * What is asked of `/cut`, and its columns; a number that does not exist is NaN.
  * @typedef {{kappa: number, muOverAlpha: number, view: import("../state/map-view.js").MapView, count: number}} CutWish
- * @typedef {{switches: Int32Array} & Record<"values" | "epsilon_t" | "coulomb" | "stiff_bound" | "stiff_asymptote", Float64Array>} Cut
+ * @typedef {{switches: Int32Array | Float64Array} & Record<"values" | "epsilon_t" | "coulomb" | "stiff_bound" | "stiff_asymptote", Float64Array>} Cut
  */
 
 /** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, damping: number, source: string}} Preset */

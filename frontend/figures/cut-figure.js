@@ -126,7 +126,7 @@ function within(x, y, sign) {
 
 /**
  * Runs of one count, each in its colour on the map.
- * @param {Int32Array} switches
+ * @param {Cut["switches"]} switches
  * @param {number} most
  * @param {number} base
  * @param {number} height
@@ -134,8 +134,9 @@ function within(x, y, sign) {
  */
 function countRibbon(switches, most, base, height, theme) {
   const colors = switchClasses(most, theme.dark).map(({ color }) => color);
+  // Of the stiffest springs the number of switches is not known.
   const colorAt = (/** @type {number} */ i) =>
-    colors[Math.min(colors.length - 1, Math.floor(switches[i] / 2))];
+    colors[Math.min(colors.length - 1, Math.floor(switches[i] / 2))] ?? "rgba(0,0,0,0)";
   const step = 1 / (switches.length - 1);
   const starts = [...switches.keys()].filter((i) => i === 0 || colorAt(i) !== colorAt(i - 1));
   // A count changes somewhere between two samples: half-way is as good as any.

@@ -59,7 +59,7 @@ export function surfaceFigure({ grid, view, horizontal, quantity, place }, theme
         hovermode: false,
         aspectmode: "manual",
         aspectratio: { x: 1.25, y: 1.1, z: 0.65 },
-        camera: { eye: { x: 1.2, y: -1.45, z: 0.9 }, center: { x: 0, y: 0, z: -0.14 } },
+        camera: { eye: eyeFor(size), center: { x: 0, y: 0, z: -0.14 } },
         xaxis: sceneAxis(theme, PLOT_SYMBOLS[horizontal.symbol], {
           range: [0, 1],
           ...shareTicks(horizontal.scale, view.scale),
@@ -90,6 +90,15 @@ function spread(length, most) {
 }
 
 /**
+ * As near as the frame allows: its height decides, unless it is narrow.
+ * @param {import("./plot-area.js").Size} size
+ */
+function eyeFor({ width, height }) {
+  const distance = Math.min(2, Math.max(1, (1.4 * height) / width));
+  return { x: 1.2 * distance, y: -1.45 * distance, z: 0.9 * distance };
+}
+
+/**
  * @param {Place | null} place
  * @param {"epsilon_t" | "switches"} quantity
  * @param {Theme} theme
@@ -107,8 +116,8 @@ function presentPlace(place, quantity, theme) {
     hoverinfo: "skip",
     marker: {
       size: 5 * theme.unit,
-      color: theme.paper,
-      line: { width: 2 * theme.unit, color: theme.ink },
+      color: theme.ink,
+      line: { width: 2 * theme.unit, color: theme.paper },
     },
   };
 }

@@ -66,6 +66,12 @@ test("cutFigure gives each run of one count its width and its colour on the map"
   assert.deepEqual(marker.color, [colors[2], colors[3], colors[0]]);
 });
 
+test("cutFigure leaves the ribbon open where the number of switches is not known", () => {
+  const cut = { ...CUT, switches: Float64Array.of(NaN, NaN, NaN, 0, 0) };
+  assert.deepEqual(named("switches", { cut }).width, [0.625, 0.375]);
+  assert.equal(named("switches", { cut }).marker.color[0], "rgba(0,0,0,0)");
+});
+
 test("cutFigure puts each letter at its ψ, on either axis", () => {
   for (const [changes, options] of [
     [{}, {}],

@@ -1,0 +1,68 @@
+"""The cut, the map's axes and its third dimension in a real browser beside a real server."""
+
+import numpy as np
+import pytest
+from explorer import ask, collision_of, settle
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+
+CURVE = "plot => [...(plot.data ?? []).find((t) => t.name === 'epsilon_t')?.y ?? []]"
+FULL_CUT = 800
+
+
+def cut_of(page: Page) -> list[float]:
+    """ε_t along the cut as it is drawn, once that is the full one."""
+    page.wait_for_timeout(500)
+    curve = page.get_by_test_id("cut").evaluate(CURVE)
+    assert len(curve) == FULL_CUT
+    return curve
+
+
+def test_the_cut_is_that_of_the_api(page: Page, server: str):
+    page.goto("/?kappa=20&mu_over_alpha=2&gt_over_gn=1&scale=log")
+    settle(page, server)
+    asked = {"along": "gt_over_gn", "kappa": 20, "mu_over_alpha": 2, "count": FULL_CUT}
+    answer = ask(server, "cut", **asked, minimum=0.005, maximum=5, scale="log")
+    assert np.array_equal(cut_of(page), answer["epsilon_t"])
+
+
+def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(page: Page, server: str):
+    page.goto("/")
+    settle(page, server)
+    before = collision_of(page)
+    box = page.get_by_test_id("cut-mark").bounding_box()
+    page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
+    settle(page, server)
+    # the middle of an axis from 0.01 to 4, to a pixel
+    after = collision_of(page)
+    assert after.pop("gt_over_gn") == pytest.approx(2.005, abs=0.02)
+    assert after == {key: before[key] for key in after}
+
+
+def test_over_psi_the_map_and_the_cut_are_asked_for_once_whatever_the_friction(
+    page: Page, server: str
+):
+    page.goto("/?map_y=psi")
+    settle(page, server)
+    before = cut_of(page)
+    asked = []
+    page.on("request", lambda r: asked.append(r.url) if "/map?" in r.url else None)
+    page.get_by_test_id("mu-over-alpha-field").fill("3")
+    settle(page, server)
+    assert cut_of(page) == before
+    assert asked == []
+
+
+def test_the_surface_exists_only_while_it_is_asked_for(page: Page, server: str):
+    page.goto("/")
+    settle(page, server)
+    canvases = page.locator("canvas")
+    expect(canvases).to_have_count(0)
+    toggle = page.get_by_test_id("map-shape").locator("input")
+    toggle.check()
+    expect(page.get_by_test_id("surface").locator("canvas").first).to_be_attached()
+    assert "shape=surface" in page.url
+    toggle.uncheck()
+    expect(canvases).to_have_count(0)
+    assert "shape=flat" in page.url
