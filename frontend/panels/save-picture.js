@@ -21,6 +21,9 @@ const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
  */
 export async function savePicture(element, { format, title, fileName, place }) {
   const { data, layout } = /** @type {any} */ (element);
+  if (!layout) {
+    return;
+  }
   const theme = currentTheme();
   const head = TITLE_PIXELS * theme.unit;
   const isColored = data.some(hasColors);
