@@ -155,7 +155,7 @@ export function mountPictureMenu(panel, picture, present) {
       const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
       savePicture(plot, {
         format,
-        title: `${[picture.title, MARKUP[subject] ?? subject].join(" ").trim()} · ${numbers.join(", ")}`,
+        title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
         fileName: fileName(fileSubject(), picture.parameters(), format),
         place: picture.place?.() ?? null,
       });

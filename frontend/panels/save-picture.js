@@ -7,7 +7,7 @@ const CONFIG = { staticPlot: true, showSendToCloud: false };
 const BITMAP_SCALE = 3;
 const TITLE_PIXELS = 34;
 const SCALE_PIXELS = 52;
-/** The quadrants of a plot's own frame, in which 0 and 1 are its edges. */
+/** Coordinates of a plot's own frame, in which 0 and 1 are its edges. */
 const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
 
 /**
@@ -21,6 +21,9 @@ const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
  */
 export async function savePicture(element, { format, title, fileName, place }) {
   const { data, layout } = /** @type {any} */ (element);
+  if (!layout) {
+    return;
+  }
   const theme = currentTheme();
   const head = TITLE_PIXELS * theme.unit;
   const isColored = data.some(hasColors);
@@ -79,8 +82,26 @@ function withScale(trace, { unit, inkSoft }) {
     outlinewidth: 0,
     len: 1,
     ypad: 0,
-    dtick: trace.zmax > 1 ? 2 : 0.5,
+    ...colorTicks(trace),
     tickfont: { size: 11 * unit, color: inkSoft },
   };
   return hasColors(trace) ? { ...trace, showscale: true, colorbar } : trace;
+}
+
+/**
+ * Counts are even, and the last colour may stand for more.
+ * @param {Record<string, any>} trace
+ */
+function colorTicks({ z, zmax }) {
+  if (zmax <= 1) {
+    return { dtick: 0.5 };
+  }
+  const counts = Array.from({ length: Math.floor(zmax / 2) + 1 }, (_, i) => 2 * i);
+  const isMore = z.some((/** @type {ArrayLike<number>} */ row) =>
+    Array.prototype.some.call(row, (count) => count > zmax),
+  );
+  const words = counts.map((count, i) =>
+    isMore && i === counts.length - 1 ? `≥ ${count}` : count,
+  );
+  return { tickvals: counts, ticktext: words };
 }

@@ -1,0 +1,139 @@
+"""Colours by choice, a link to copy, one panel alone, and the menu of each picture."""
+
+import re
+from pathlib import Path
+
+import pytest
+from explorer import ask, collision_of, settle, text
+from playwright.sync_api import Page
+
+pytestmark = pytest.mark.browser
+
+PANELS = ["result", "force", "velocity", "map"]
+
+LAYOUT_SHIFT = """() => new Promise((resolve) => {
+  let sum = 0;
+  new PerformanceObserver((list) => {
+    for (const entry of list.getEntries()) sum += entry.hadRecentInput ? 0 : entry.value;
+  }).observe({type: "layout-shift", buffered: true});
+  setTimeout(() => resolve(sum), 500);
+})"""
+
+
+def paper(page: Page) -> str:
+    return page.evaluate("() => getComputedStyle(document.documentElement).backgroundColor")
+
+
+def choose(page: Page, panel: str, name: str) -> None:
+    page.get_by_test_id(f"menu-{panel}").click()
+    page.locator(f"#menu-{panel}").get_by_text(name, exact=True).click()
+
+
+def test_colours_are_those_chosen_and_stand_in_the_address(page: Page, server: str):
+    page.emulate_media(color_scheme="light")
+    page.goto("/")
+    settle(page, server)
+    light = paper(page)
+    line = page.locator("[data-testid=force-trace] .js-line").last
+    stroke = line.evaluate("(e) => e.style.stroke")
+    page.get_by_test_id("theme").select_option("dark")
+    page.wait_for_timeout(300)
+    assert paper(page) != light
+    assert line.evaluate("(e) => e.style.stroke") != stroke
+    assert "theme=dark" in page.url
+    page.go_back()
+    page.wait_for_timeout(300)
+    assert paper(page) == light
+    assert line.evaluate("(e) => e.style.stroke") == stroke
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_embedded_panel_stands_alone_and_leads_to_the_full_page(page: Page, panel: str):
+    page.set_viewport_size({"width": 480, "height": 360})
+    page.goto(f"/?embed={panel}&kappa=20")
+    page.get_by_test_id("full-page").wait_for()
+    for each in PANELS:
+        assert page.locator(f"[data-panel={each}]").is_visible() == (each == panel)
+    assert not page.get_by_test_id("share").is_visible()
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 480
+    link = page.get_by_test_id("full-page")
+    link.hover()
+    address = link.get_attribute("href")
+    assert address is not None
+    assert "embed" not in address
+    assert "kappa=20" in address
+
+
+@pytest.mark.parametrize("panel", ["force", "velocity", "map"])
+def test_every_picture_gives_its_data_and_itself(
+    page: Page, server: str, panel: str, tmp_path: Path
+):
+    page.goto("/?kappa=20")
+    settle(page, server)
+    page.wait_for_timeout(500)
+    begins = {"CSV": rb"(time|kappa),", "JSON": rb"\{", "PNG": rb"\x89PNG", "SVG": rb"<svg"}
+    for name, beginning in begins.items():
+        with page.expect_download() as download:
+            choose(page, panel, name)
+        page.keyboard.press("Escape")
+        saved = tmp_path / download.value.suggested_filename
+        download.value.save_as(saved)
+        assert saved.name.startswith(f"restitution-{panel}")
+        assert "kappa-20-" in saved.name
+        assert saved.suffix == f".{name.lower()}"
+        assert re.match(beginning, saved.read_bytes())
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_table_and_request_are_there_by_keyboard(page: Page, server: str, panel: str):
+    page.goto("/")
+    settle(page, server)
+    page.wait_for_timeout(500)
+    button = page.get_by_test_id(f"menu-{panel}")
+    for name, shown in [("Table", "table caption"), ("API request", "pre")]:
+        button.focus()
+        page.keyboard.press("ArrowDown")
+        while page.evaluate("() => document.activeElement.textContent") != name:
+            page.keyboard.press("ArrowDown")
+        page.keyboard.press("Enter")
+        assert page.get_by_test_id("sheet").locator(shown).first.is_visible()
+        page.keyboard.press("Escape")
+        assert page.evaluate("() => document.activeElement.dataset.testid") == f"menu-{panel}"
+
+
+def test_request_of_the_result_answers_what_the_strip_shows(page: Page, server: str):
+    page.goto("/?kappa=20")
+    settle(page, server)
+    choose(page, "result", "API request")
+    line = page.locator("pre").first.inner_text()
+    query = "kappa=20&mu_over_alpha=1.4&gt_over_gn=1.358"
+    assert line == f'curl "{server}/api/v1/collision?{query}"'
+
+
+def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(page: Page, server: str):
+    page.goto("/")
+    settle(page, server)
+    page.get_by_test_id("crosshair").focus()
+    page.wait_for_timeout(500)
+    before = collision_of(page)
+    page.keyboard.press("ArrowLeft")
+    page.wait_for_timeout(300)
+    after = collision_of(page)
+    assert after["kappa"] < before["kappa"]
+    assert after["gt_over_gn"] == before["gt_over_gn"]
+    page.keyboard.press("Shift+ArrowUp")
+    settle(page, server)
+    page.wait_for_timeout(300)
+    assert collision_of(page)["gt_over_gn"] > before["gt_over_gn"]
+    assert text(page, "switches") == str(ask(server, "collision", **collision_of(page))["switches"])
+
+
+@pytest.mark.parametrize("size", [(320, 640), (390, 844), (1440, 900)])
+def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
+    page: Page, server: str, size: tuple[int, int]
+):
+    page.set_viewport_size({"width": size[0], "height": size[1]})
+    page.goto("/?theme=dark")
+    settle(page, server)
+    assert page.evaluate(LAYOUT_SHIFT) < 0.05
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0]
