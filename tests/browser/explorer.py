@@ -25,7 +25,8 @@ def text(page: Page, name: str) -> str:
 def number(shown: str) -> float:
     """The number that a typeset one stands for."""
     mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
-    return float(mantissa) * 10.0 ** (int(power[2:].translate(SUPERSCRIPTS)) if power else 0)
+    # read as one number: a product with a power of ten would round twice
+    return float(f"{mantissa}e{power[2:].translate(SUPERSCRIPTS) or 0}")
 
 
 def collision_of(page: Page) -> dict[str, float]:
