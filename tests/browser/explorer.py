@@ -1,6 +1,7 @@
 """What tests do with the page: read its numbers, wait until it rests, ask the API beside it."""
 
 import json
+import math
 import time
 import urllib.parse
 import urllib.request
@@ -23,7 +24,9 @@ def text(page: Page, name: str) -> str:
 
 
 def number(shown: str) -> float:
-    """The number that a typeset one stands for."""
+    """The number that a typeset one stands for; none where nothing is known yet."""
+    if shown == "–":
+        return math.nan
     mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
     # read as one number: a product with a power of ten would round twice
     return float(f"{mantissa}e{power[2:].translate(SUPERSCRIPTS) or 0}")
