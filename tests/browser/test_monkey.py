@@ -146,7 +146,12 @@ class Monkey:
     def travel(self) -> str:
         self.connect()
         back = bool(self.rng.random() < 0.6)
-        (self.page.go_back if back else self.page.go_forward)(wait_until="commit")
+        # Playwright's own go_back fails now and then while an earlier address is still loading.
+        self.page.evaluate(
+            f"() => void setTimeout(() => history.{'back' if back else 'forward'}())"
+        )
+        self.page.wait_for_timeout(200)
+        self.page.wait_for_load_state()
         return "back" if back else "forward"
 
     def emulate(self) -> str:
