@@ -18,10 +18,10 @@ LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-versio
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench verify lock clean
+.PHONY: help serve test check format bench verify screenshots lock clean
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HOST=…)
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
@@ -44,8 +44,11 @@ format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
 bench: $(DEVELOPMENT) ## costs and times, as text and JSON
 	@$(BIN)/python tests/bench/run.py
 
-verify: $(DEVELOPMENT) ## the checks too long for every run
+verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
 	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0
+
+screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
+	$(WITH_CHROMIUM) $(BIN)/python tests/browser/screenshots.py
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(LOCK) --group build --output-file requirements.lock
@@ -53,7 +56,7 @@ lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(NPM) install --package-lock-only
 
 clean: ## remove the environment and whatever the tools left
-	rm -rf $(VENV) node_modules build test-results .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf $(VENV) node_modules build screenshots test-results .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -rf backend/*.egg-info
 	find backend tests -name __pycache__ -type d -prune -exec rm -rf {} +
 

@@ -1,11 +1,16 @@
 """What tests do with the page: read its numbers, wait until it rests, ask the API beside it."""
 
 import json
+import math
 import time
 import urllib.parse
 import urllib.request
+from collections.abc import Callable
+from typing import TypeVar
 
-from playwright.sync_api import Page
+from playwright.sync_api import Page, Request
+
+T = TypeVar("T")
 
 SETTLED_SECONDS = 10
 
@@ -19,9 +24,12 @@ def text(page: Page, name: str) -> str:
 
 
 def number(shown: str) -> float:
-    """The number that a typeset one stands for."""
+    """The number that a typeset one stands for; none where nothing is known yet."""
+    if shown == "–":
+        return math.nan
     mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
-    return float(mantissa) * 10.0 ** (int(power[2:].translate(SUPERSCRIPTS)) if power else 0)
+    # read as one number: a product with a power of ten would round twice
+    return float(f"{mantissa}e{power[2:].translate(SUPERSCRIPTS) or 0}")
 
 
 def collision_of(page: Page) -> dict[str, float]:
@@ -60,3 +68,44 @@ def trace_of(page: Page, name: str) -> list[dict]:
     return page.get_by_test_id(name).evaluate(
         "plot => plot.data.map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
     )
+
+
+def eventually(check: Callable[[], T], page: Page, seconds: float = SETTLED_SECONDS) -> T:
+    """What a check returns once it holds: its last failure is the test's."""
+    deadline = time.monotonic() + seconds
+    while True:
+        try:
+            return check()
+        except AssertionError:
+            if time.monotonic() > deadline:
+                raise
+        page.wait_for_timeout(50)
+
+
+class Witness:
+    """What a page says in its console, and whom it calls, with the queries in the order sent."""
+
+    def __init__(self, page: Page, server: str) -> None:
+        self.words: list[str] = []
+        self.strangers: list[str] = []
+        self.calls: list[tuple[str, dict[str, str]]] = []
+        self._server = server
+        page.on("console", lambda message: self.words.append(message.text))
+        page.on("pageerror", lambda error: self.words.append(str(error)))
+        page.on("request", self._note)
+
+    def _note(self, request: Request) -> None:
+        if not request.url.startswith((self._server, "data:", "blob:")):
+            self.strangers.append(request.url)
+        address = urllib.parse.urlsplit(request.url)
+        if address.path.startswith("/api/v1/"):
+            query = dict(urllib.parse.parse_qsl(address.query))
+            self.calls.append((address.path.removeprefix("/api/v1/"), query))
+
+    def last(self, call: str) -> dict[str, str] | None:
+        """The query of the last request to `/api/v1/<call>`."""
+        return next((query for name, query in reversed(self.calls) if name == call), None)
+
+    def assert_silence(self) -> None:
+        assert self.words == []
+        assert self.strangers == []
