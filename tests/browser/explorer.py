@@ -27,6 +27,8 @@ def number(shown: str) -> float:
     """The number that a typeset one stands for; none where nothing is known yet."""
     if shown == "–":
         return math.nan
+    if "∞" in shown:
+        return -math.inf if "−" in shown else math.inf
     mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
     # read as one number: a product with a power of ten would round twice
     return float(f"{mantissa}e{power[2:].translate(SUPERSCRIPTS) or 0}")

@@ -141,7 +141,7 @@ def strip_of(page: Page) -> dict[str, object]:
         "reversals": text(page, "reversals"),
         "energy lost": text(page, "energy-lost"),
         "contact duration": number(text(page, "contact-duration")),
-        "psi": number(text(page, "psi").replace("∞", "inf")),
+        "psi": number(text(page, "psi")),
         "summary": text(page, "summary"),
     }
 
