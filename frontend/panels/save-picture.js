@@ -77,6 +77,9 @@ function hasColors({ type }) {
  * @param {import("../figures/theme.js").Theme} theme
  */
 function withScale(trace, { unit, inkSoft }) {
+  if (!hasColors(trace)) {
+    return trace;
+  }
   const colorbar = {
     thickness: 10 * unit,
     outlinewidth: 0,
@@ -85,7 +88,7 @@ function withScale(trace, { unit, inkSoft }) {
     ...colorTicks(trace),
     tickfont: { size: 11 * unit, color: inkSoft },
   };
-  return hasColors(trace) ? { ...trace, showscale: true, colorbar } : trace;
+  return { ...trace, showscale: true, colorbar };
 }
 
 /**

@@ -107,7 +107,7 @@ def test_a_busy_server_is_asked_calmly_and_the_page_recovers(page: Page, server:
     flight = InFlight(page)
     page.goto("/")
     settle(page, server)
-    before = text(page, "epsilon-t")
+    before = text(page, "summary")
     sent = flight.sent.copy()
     page.evaluate("""() => {
       window.banners = [];
@@ -121,7 +121,8 @@ def test_a_busy_server_is_asked_calmly_and_the_page_recovers(page: Page, server:
     page.get_by_test_id("mu-over-alpha-slider").press("ArrowRight")
     expect(page.get_by_test_id("banner")).not_to_be_empty()
     page.wait_for_timeout(1000 * BUSY_SECONDS)
-    assert text(page, "epsilon-t") == before
+    # what the map knows may change; the account of the last collision stays
+    assert text(page, "summary") == before
     asked = sum((flight.sent - sent).values())
     page.unroute_all()
     expect(page.get_by_test_id("banner")).to_be_empty(timeout=15_000)
