@@ -50,10 +50,14 @@ def solve(
             allowed = f"one of auto, {', '.join(METHODS)}"
             raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
+    if not EPSILON_T_ALONE.issuperset(quantities):
+        fine = exact.follow_affordable(kappa, psi)
+        method = np.where(fine.switches == TOO_STIFF, "stiff", "exact")
+        return Answer(
+            fine.epsilon_t, fine.error_bound, method, fine.switches, fine.switches_certain
+        )
     coarse = stiff.solve(kappa, psi, options)
-    needed = np.ones(kappa.shape, np.bool_)
-    if EPSILON_T_ALONE.issuperset(quantities):
-        needed = coarse.error_bound > options.tolerance
+    needed = coarse.error_bound > options.tolerance
     fine = exact.follow_affordable(kappa[needed], psi[needed])
     switches = np.full(kappa.shape, TOO_STIFF, np.int32)
     certain = np.zeros(kappa.shape, np.bool_)
