@@ -30,9 +30,10 @@ import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
 import { createCutLoader, FULL_CUT } from "./state/cut-loader.js";
 import { createMapLoader } from "./state/map-loader.js";
-import { horizontalAxis } from "./state/map-view.js";
+import { horizontalAxis, scaleFor } from "./state/map-view.js";
 import { readMap } from "./state/map-reading.js";
 import { PARAMETERS, sameCollision } from "./state/parameters.js";
+import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./state/drawable.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 
@@ -78,7 +79,8 @@ const cut = mountCut(find(".cut-panel"), changeCollision);
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   const { kappa, mu_over_alpha, gt_over_gn } = preset;
-  changeCollision({ kappa, mu_over_alpha, gt_over_gn }, { inputTimeStamp });
+  const collision = { kappa, mu_over_alpha, gt_over_gn };
+  store.set({ collision, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
 });
 const controls = PARAMETERS.map((parameter) => ({
   key: parameter.key,
@@ -132,8 +134,8 @@ let hasPlayed = false;
 const MAP_LOOKS = ["map", "map_x", "shape"];
 
 const connection = createConnection({
-  isHealthy: client.isHealthy,
-  onLost: () => banner.say("The server does not answer. The last picture stays; trying again …"),
+  isAnswering,
+  onLost: (reason) => banner.say(`${reason}. The last picture stays; trying again …`),
   onRecovered: () => {
     banner.clear();
     loadAll();
@@ -242,6 +244,16 @@ function ask(state, change) {
   }
 }
 
+/** Whether the server computes again: one that is merely there may still be too busy. */
+async function isAnswering() {
+  try {
+    await client.collision(store.get().collision);
+    return true;
+  } catch (error) {
+    return !(error instanceof Unreachable);
+  }
+}
+
 async function loadPresets() {
   if (presetsAreHere) {
     return;
@@ -262,19 +274,14 @@ async function loadPresets() {
  * @param {AbortSignal} signal
  */
 async function loadCollision({ collision }, signal) {
-  try {
-    const trace = await client.trace(collision, signal);
-    return { result: trace, trace, reason: "" };
-  } catch (error) {
-    if (!(error instanceof Refused)) {
-      throw error;
+  if (mayBeTooStiffToDraw(collision)) {
+    const result = await client.collision(collision, signal);
+    if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
+      return { result, trace: null, reason: whyNotDrawn(result) };
     }
-    return {
-      result: await client.collision(collision, signal),
-      trace: null,
-      reason: error.message,
-    };
   }
+  const trace = await client.trace(collision, signal);
+  return { result: trace, trace, reason: "" };
 }
 
 /**
@@ -332,7 +339,7 @@ function playOnce() {
 /** @param {unknown} error */
 function explain(error) {
   if (error instanceof Unreachable) {
-    connection.reportLost();
+    connection.reportLost(error.message);
   } else if (error instanceof Refused) {
     notice.say(error.message);
   } else {

@@ -67,17 +67,17 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     try {
       response = await fetch(url, { signal: signal ? AbortSignal.any([signal, limit]) : limit });
     } catch (error) {
-      throw new Unreachable("the server does not answer", { cause: error });
+      throw new Unreachable("The server does not answer", { cause: error });
     }
     if ([502, 503, 504].includes(response.status)) {
-      throw new Unreachable("the server is busy");
+      throw new Unreachable("The server is busy");
     }
     const body = await response.json().catch(() => null);
     if (!response.ok) {
       throw new Refused(body?.detail ?? `the server answered ${response.status}`);
     }
     if (body === null) {
-      throw new Unreachable("the answer broke off");
+      throw new Unreachable("The server’s answer broke off");
     }
     return { body, milliseconds: computeTime(response.headers.get("server-timing")) };
   }
@@ -135,15 +135,6 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;
-    },
-
-    /** @returns {Promise<boolean>} */
-    async isHealthy() {
-      try {
-        return (await fetch("/healthz", { signal: AbortSignal.timeout(3000) })).ok;
-      } catch {
-        return false;
-      }
     },
   };
 }

@@ -8,6 +8,8 @@ import { spreadApart } from "./spread.js";
 const USUAL_REACH = 1.2;
 const RIBBON_PIXELS = 18;
 const NUMBER_PIXELS = 15;
+/** How far a number may stand from its switch, in widths of a number. */
+const FARTHEST = 2.5;
 
 /**
  * The force trace of Fig. 5: F_t/μ between ±F_n, the regimes shaded, the switches numbered.
@@ -82,7 +84,7 @@ function envelope(time, normalForce, theme) {
 
 /**
  * A number in a circle at each switch, moved aside where they would cover one another; where there
- * are too many, the shading alone tells.
+ * are too many for each to stand by its switch, the shading alone tells.
  * @param {ArrayLike<number>} times
  * @param {number} duration
  * @param {number} height
@@ -91,7 +93,9 @@ function envelope(time, normalForce, theme) {
  */
 function switchNumbers(times, duration, height, pixelsPerTime, theme) {
   const pixels = theme.unit * NUMBER_PIXELS;
-  const x = spreadApart(times, pixels / pixelsPerTime, 0, duration) ?? [];
+  const gap = pixels / pixelsPerTime;
+  const spread = spreadApart(times, gap, 0, duration) ?? [];
+  const x = spread.every((place, i) => Math.abs(place - times[i]) < FARTHEST * gap) ? spread : [];
   return {
     name: "switches",
     type: "scatter",

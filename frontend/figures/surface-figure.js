@@ -94,7 +94,7 @@ function spread(length, most) {
  * @param {import("./plot-area.js").Size} size
  */
 function eyeFor({ width, height }) {
-  const distance = Math.min(2, Math.max(1, (1.4 * height) / width));
+  const distance = Math.min(2.1, Math.max(1.08, (1.45 * height) / width));
   return { x: 1.2 * distance, y: -1.45 * distance, z: 0.9 * distance };
 }
 

@@ -57,6 +57,14 @@ export function velocityTable(trace) {
   return traceTable(trace, "Tangential velocity", { "g_t(t)/g_n": trace.tangential_velocity });
 }
 
+/** @param {Trace} trace @returns {Table} */
+export function contactTable(trace) {
+  return traceTable(trace, "Compression of the spheres and stretch of the spring, scaled,", {
+    compression: trace.compression,
+    "stretch of the spring": trace.spring_elongation,
+  });
+}
+
 /**
  * @param {Trace} trace
  * @param {string} what

@@ -4,7 +4,8 @@ import { brief, powerOfTen } from "../format/number.js";
 import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
 import { regimeShades } from "./regimes.js";
 
-const TURN_PIXELS = 14;
+/** Nearer to one another, the marks of the turns would hide the curve between them. */
+const TURN_PIXELS = 36;
 
 /** Beyond these, pixels per unit or the length of the axis leave the range of a double. */
 const SHORTEST_REACH = 1e-290;

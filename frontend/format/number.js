@@ -141,11 +141,16 @@ export function duration(milliseconds) {
   return `${Number((milliseconds / 1000).toPrecision(2))}${NARROW_SPACE}s`;
 }
 
+/** So many characters fit into a number field. */
+const LONGEST_PLAIN = 9;
+
 /**
  * What a number field shows: plain digits that can be typed again.
  * @param {number} value
  */
 export function typable(value) {
   const short = String(Number(value.toPrecision(6)));
-  return Number(short) === value ? short : String(value);
+  const full = Number(short) === value ? short : String(value);
+  const scientific = value.toExponential().replace("+", "");
+  return full.length > LONGEST_PLAIN && scientific.length < full.length ? scientific : full;
 }

@@ -25,7 +25,7 @@ export const PLOT_SYMBOLS = {
  */
 export function splitSymbols(text) {
   return text
-    .split(/((?<![A-Za-z])[A-Za-zεψκ]_[a-z](?![a-z])|[εψκμαν](?![A-Za-z_]))/)
+    .split(/((?<![A-Za-z])[A-Za-zεψκ]_[a-z](?![a-z])|[εψκμαν](?![A-Za-z_])|(?<![A-Za-z])t(?= = ))/)
     .map((piece, i) =>
       i % 2 === 0 ? { plain: piece } : { letter: piece[0], index: piece.slice(2) },
     )

@@ -85,6 +85,8 @@ export function mountParameterControl(parent, parameter, onChange) {
   });
   reset.addEventListener("click", (event) => {
     onChange(parameter.initial, { dragging: false, inputTimeStamp: event.timeStamp });
+    // The button is of no use any more, and takes the focus with it.
+    slider.focus({ preventScroll: true });
   });
 
   /** What was typed stands: it need not be left for that. */

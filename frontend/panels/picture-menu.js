@@ -3,6 +3,7 @@
 import { addressOf, curlOf, fileName, frameOf, pythonOf } from "../format/requests.js";
 import { writeAddress } from "../state/url.js";
 import { find } from "./find.js";
+import { saveDrawing } from "./save-drawing.js";
 import { savePicture } from "./save-picture.js";
 import { codeBlock, openSheet, tableElement } from "./sheet.js";
 
@@ -28,7 +29,9 @@ const GAP = 4;
  */
 export function mountPictureMenu(panel, picture, present) {
   const name = panel.dataset.panel ?? "";
-  const plot = /** @type {HTMLElement | null} */ (panel.querySelector(".plot"));
+  // A surface in depth stands before the flat map; what is drawn is looked for when it is saved.
+  const drawn = () => panel.querySelector(".surface") ?? panel.querySelector(".plot, svg");
+  const hasPicture = drawn() !== null;
   const menu = document.createElement("div");
   const button = document.createElement("button");
   menu.id = `menu-${name}`;
@@ -60,7 +63,7 @@ export function mountPictureMenu(panel, picture, present) {
       "Data",
       data.map(({ link }) => link),
     ),
-    group("Picture", plot ? pictures : []),
+    group("Picture", hasPicture ? pictures : []),
   ];
   const [dataGroup, pictureGroup] = groups;
   menu.append(
@@ -74,14 +77,14 @@ export function mountPictureMenu(panel, picture, present) {
       ]),
     ),
   );
-  pictureGroup.hidden = !plot;
+  pictureGroup.hidden = !hasPicture;
   (panel.querySelector(".panel-head") ?? panel).append(button, menu);
 
   menu.addEventListener("beforetoggle", () => {
     const request = picture.request();
     const isHere = !picture.table || picture.table() !== null;
     dataGroup.hidden = !isHere;
-    pictureGroup.hidden = !plot || !isHere;
+    pictureGroup.hidden = !hasPicture || !isHere;
     table.hidden = !picture.table || !isHere;
     for (const { format, link } of data) {
       link.href = addressOf({ ...request, query: { ...request.query, format } });
@@ -149,16 +152,20 @@ export function mountPictureMenu(panel, picture, present) {
 
   /** @param {"png" | "svg"} format */
   function save(format) {
-    if (plot) {
-      const subject = picture.subject?.() ?? "";
-      const parameters = Object.entries(picture.parameters());
-      const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
-      savePicture(plot, {
-        format,
-        title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
-        fileName: fileName(fileSubject(), picture.parameters(), format),
-        place: picture.place?.() ?? null,
-      });
+    const element = drawn();
+    const subject = picture.subject?.() ?? "";
+    const parameters = Object.entries(picture.parameters());
+    const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
+    const options = {
+      format,
+      title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
+      fileName: fileName(fileSubject(), picture.parameters(), format),
+    };
+    if (element instanceof SVGSVGElement) {
+      saveDrawing(element, options);
+    } else {
+      const place = element?.matches(".surface") ? null : (picture.place?.() ?? null);
+      savePicture(/** @type {HTMLElement} */ (element), { ...options, place });
     }
   }
 

@@ -1,6 +1,13 @@
 // @ts-check
 
-import { cutTable, forceTable, mapTable, resultTable, velocityTable } from "../figures/tables.js";
+import {
+  contactTable,
+  cutTable,
+  forceTable,
+  mapTable,
+  resultTable,
+  velocityTable,
+} from "../figures/tables.js";
 import { significant } from "../format/number.js";
 import { FULL_CUT } from "../state/cut-loader.js";
 import { FULL_MAP } from "../state/map-loader.js";
@@ -53,6 +60,12 @@ export function mountPictures({ present, shown, queries }) {
       request: trace,
       parameters,
       table: () => made(shown().trace, velocityTable),
+    },
+    contact: {
+      title: "Contact",
+      request: trace,
+      parameters,
+      table: () => made(shown().trace, contactTable),
     },
     map: {
       title: "Map",

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { announceCanvasReading } from "./canvas-reading.js";
 import { quickDraw } from "./quick-draw.js";
 import { currentTheme, onThemeChange } from "./theme.js";
 
@@ -11,6 +12,9 @@ const CONFIG = {
   showSendToCloud: false,
   responsive: false,
 };
+
+// Before Plotly makes its first canvas.
+announceCanvasReading();
 
 /** Resolves once the page's deferred scripts, Plotly among them, have run. */
 const plotlyIsHere = new Promise((resolve) => {

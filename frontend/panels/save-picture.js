@@ -1,12 +1,16 @@
 // @ts-check
 
+import { download } from "./download.js";
 import { currentTheme } from "./theme.js";
 
 const CONFIG = { staticPlot: true, showSendToCloud: false };
 /** A bitmap for a slide: so many pixels to one of the page. */
-const BITMAP_SCALE = 3;
-const TITLE_PIXELS = 34;
+export const BITMAP_SCALE = 3;
+/** Above the picture, for its title. */
+export const TITLE_PIXELS = 34;
 const SCALE_PIXELS = 52;
+/** Beside a title and under a scale, where the plot itself has none. */
+const LEAST_MARGIN = 10;
 /** Coordinates of a plot's own frame, in which 0 and 1 are its edges. */
 const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
 
@@ -28,6 +32,7 @@ export async function savePicture(element, { format, title, fileName, place }) {
   const head = TITLE_PIXELS * theme.unit;
   const isColored = data.some(hasColors);
   const side = isColored ? SCALE_PIXELS * theme.unit : 0;
+  const least = LEAST_MARGIN * theme.unit;
   const [width, height] = [layout.width + side, layout.height + head];
   const line = { color: theme.ink, width: theme.unit };
   const figure = {
@@ -36,12 +41,17 @@ export async function savePicture(element, { format, title, fileName, place }) {
       ...layout,
       width,
       height,
-      margin: { ...layout.margin, t: layout.margin.t + head, r: layout.margin.r + side },
+      margin: {
+        ...layout.margin,
+        t: layout.margin.t + head,
+        r: layout.margin.r + side,
+        b: Math.max(layout.margin.b, least),
+      },
       paper_bgcolor: theme.paper,
       plot_bgcolor: theme.paper,
       title: {
         text: title,
-        x: layout.margin.l / width,
+        x: Math.max(layout.margin.l, least) / width,
         xanchor: "left",
         y: 1 - (0.55 * head) / height,
         yanchor: "middle",
@@ -60,15 +70,12 @@ export async function savePicture(element, { format, title, fileName, place }) {
     config: CONFIG,
   };
   const scale = format === "png" ? BITMAP_SCALE : 1;
-  const link = document.createElement("a");
-  link.href = await Plotly.toImage(figure, { format, width, height, scale });
-  link.download = fileName;
-  link.click();
+  download(await Plotly.toImage(figure, { format, width, height, scale }), fileName);
 }
 
 /** @param {Record<string, any>} trace */
 function hasColors({ type }) {
-  return type === "heatmap";
+  return type === "heatmap" || type === "surface";
 }
 
 /**
@@ -95,13 +102,13 @@ function withScale(trace, { unit, inkSoft }) {
  * Counts are even, and the last colour may stand for more.
  * @param {Record<string, any>} trace
  */
-function colorTicks({ z, zmax }) {
-  if (zmax <= 1) {
+function colorTicks({ z, zmax, cmax = zmax }) {
+  if (cmax <= 1) {
     return { dtick: 0.5 };
   }
-  const counts = Array.from({ length: Math.floor(zmax / 2) + 1 }, (_, i) => 2 * i);
+  const counts = Array.from({ length: Math.floor(cmax / 2) + 1 }, (_, i) => 2 * i);
   const isMore = z.some((/** @type {ArrayLike<number>} */ row) =>
-    Array.prototype.some.call(row, (count) => count > zmax),
+    Array.prototype.some.call(row, (count) => count > cmax),
   );
   const words = counts.map((count, i) =>
     isMore && i === counts.length - 1 ? `≥ ${count}` : count,

@@ -11,6 +11,7 @@ import { typeset } from "./typeset.js";
 
 /** So long, in ms, a button says that it has done its work. */
 const SAID = 2000;
+const TALL_DESK = "(min-width: 75rem) and (min-height: 75rem)";
 
 /**
  * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
@@ -26,6 +27,8 @@ export function mountShell({ present, onOption }) {
   const caption = byTestId("embed-caption");
   const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
   const usualName = share.textContent;
+  // Open from the start where the page would else end above it.
+  /** @type {HTMLDetailsElement} */ (byTestId("symbols")).open = matchMedia(TALL_DESK).matches;
   let shown = "";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;

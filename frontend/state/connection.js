@@ -5,12 +5,12 @@
  * seldom, until it answers.
  *
  * @param {object} options
- * @param {() => Promise<boolean>} options.isHealthy
- * @param {() => void} options.onLost
+ * @param {() => Promise<boolean>} options.isAnswering
+ * @param {(reason: string) => void} options.onLost
  * @param {() => void} options.onRecovered
  * @param {number} [options.interval] in ms, the first; it grows to eight times that
  */
-export function createConnection({ isHealthy, onLost, onRecovered, interval = 500 }) {
+export function createConnection({ isAnswering, onLost, onRecovered, interval = 500 }) {
   let lost = false;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
@@ -18,7 +18,7 @@ export function createConnection({ isHealthy, onLost, onRecovered, interval = 50
   /** @param {number} wait */
   function askAfter(wait) {
     timer = setTimeout(async () => {
-      if (await isHealthy()) {
+      if (await isAnswering()) {
         lost = false;
         onRecovered();
       } else if (lost) {
@@ -30,10 +30,11 @@ export function createConnection({ isHealthy, onLost, onRecovered, interval = 50
   return {
     isLost: () => lost,
 
-    reportLost() {
+    /** @param {string} reason */
+    reportLost(reason) {
       if (!lost) {
         lost = true;
-        onLost();
+        onLost(reason);
         askAfter(interval);
       }
     },

@@ -24,10 +24,10 @@ const SOLID_ALPHA = 2 / 7;
 
 /**
  * The usual axes, where the paper draws Figs. 3 and 4, and how far they may reach for a collision
- * beyond them: on a linear axis of thousands there is nothing to see.
+ * beyond them: as far as the sliders. On a linear axis of more there is nothing to see.
  */
 const AXES = {
-  linear: { kappa: [0.1, 70], gt_over_gn: [0.01, 4], psi: [0.01, 3], reach: 10 },
+  linear: { kappa: [0.1, 70], gt_over_gn: [0.01, 4], psi: [0.01, 3], reach: 15 },
   log: { kappa: [0.1, 1000], gt_over_gn: [0.005, 5], psi: [0.005, 5], reach: 1e9 },
 };
 
@@ -47,6 +47,15 @@ export function mapView(collision, { scale, map_y: vertical }) {
     kappa: make(...reaching(kappa, collision.kappa, reach, both)),
     gtOverGn: make(...reaching(usual, heightOf(vertical, collision), reach, both)),
   };
+}
+
+/**
+ * The scale on which the map can show a collision, for one that is chosen and not dragged to.
+ * @param {Collision} collision
+ * @param {Parameters<typeof mapView>[1]} options
+ */
+export function scaleFor(collision, options) {
+  return placeOnMap(mapView(collision, options), collision).outside ? "log" : options.scale;
 }
 
 /**

@@ -18,7 +18,7 @@ const WORDS = {
 const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
-  embed: ["none", "result", "force", "velocity", "map", "cut"],
+  embed: ["none", "result", "force", "velocity", "map", "cut", "contact"],
 };
 
 const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));

@@ -49,7 +49,7 @@ OPTIONS = ["map", "scale", "embed", "scene", "theme", "tolerance", "method", "__
 
 # What a browser says of a request that was cut off, or of WebGL without a graphics card, is no
 # fault of the page.
-BROWSERS_WORDS = ("Failed to load resource", "net::ERR_", "GL Driver", "willReadFrequently")
+BROWSERS_WORDS = ("Failed to load resource", "net::ERR_", "GL Driver Message")
 
 
 class Monkey:

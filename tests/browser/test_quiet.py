@@ -70,6 +70,22 @@ def test_the_page_says_nothing_calls_nobody_and_does_not_jump(page: Page, server
     witness.assert_silence()
 
 
+def test_the_page_says_nothing_in_depth_nor_of_a_collision_without_a_picture(
+    page: Page, server: str
+):
+    witness = Witness(page, server)
+    page.goto("/?shape=surface")
+    settle(page, server)
+    page.get_by_test_id("surface").wait_for()
+    page.wait_for_timeout(500)
+    page.get_by_test_id("kappa-field").fill("1e12")
+    page.get_by_test_id("force-withheld").wait_for()
+    page.wait_for_timeout(500)
+    # what Chromium says of any WebGL canvas that it draws without a graphics card
+    witness.words = [word for word in witness.words if "GL Driver Message" not in word]
+    witness.assert_silence()
+
+
 def test_the_policy_allows_scripts_of_the_page_s_own_files_alone(page: Page):
     response = page.goto("/")
     policy = dict(

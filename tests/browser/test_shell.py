@@ -9,7 +9,7 @@ from playwright.sync_api import Page
 
 pytestmark = pytest.mark.browser
 
-PANELS = ["result", "force", "velocity", "map"]
+PANELS = ["result", "force", "velocity", "contact", "map", "cut"]
 
 LAYOUT_SHIFT = """() => new Promise((resolve) => {
   let sum = 0;
@@ -64,14 +64,19 @@ def test_embedded_panel_stands_alone_and_leads_to_the_full_page(page: Page, pane
     assert "kappa=20" in address
 
 
-@pytest.mark.parametrize("panel", ["force", "velocity", "map"])
+@pytest.mark.parametrize("panel", PANELS[1:])
 def test_every_picture_gives_its_data_and_itself(
     page: Page, server: str, panel: str, tmp_path: Path
 ):
     page.goto("/?kappa=20")
     settle(page, server)
     page.wait_for_timeout(500)
-    begins = {"CSV": rb"(time|kappa),", "JSON": rb"\{", "PNG": rb"\x89PNG", "SVG": rb"<svg"}
+    begins = {
+        "CSV": rb"(time|kappa|gt_over_gn),",
+        "JSON": rb"\{",
+        "PNG": rb"\x89PNG",
+        "SVG": rb"<svg",
+    }
     for name, beginning in begins.items():
         with page.expect_download() as download:
             choose(page, panel, name)

@@ -12,8 +12,8 @@ function marked(text) {
 
 test("splitSymbols finds letters with an index and Greek letters", () => {
   assert.equal(
-    marked("ε_t is the limit; κ = (π/t_c)² and g_t/g_n, ψ = 0.97"),
-    "{ε t} is the limit; {κ} = (π/{t c})² and {g t}/{g n}, {ψ} = 0.97",
+    marked("ε_t is the limit; κ = (π/t_c)² and g_t/g_n, ψ = 0.97 at t = 1"),
+    "{ε t} is the limit; {κ} = (π/{t c})² and {g t}/{g n}, {ψ} = 0.97 at {t} = 1",
   );
 });
 

@@ -10,7 +10,7 @@ test("createConnection asks until the server answers, and tells of each change o
   const healthy = [false, false, true];
   const told = [];
   const connection = createConnection({
-    isHealthy: async () => {
+    isAnswering: async () => {
       told.push("asked");
       return healthy.shift() ?? true;
     },
@@ -33,7 +33,7 @@ test("createConnection asks no more once disposed of", async (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   let asked = 0;
   const connection = createConnection({
-    isHealthy: async () => {
+    isAnswering: async () => {
       asked += 1;
       return false;
     },

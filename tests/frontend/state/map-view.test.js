@@ -7,6 +7,7 @@ import {
   gtOverGnAt,
   horizontalAxis,
   mapView,
+  scaleFor,
   placeOnMap,
   sameView,
 } from "../../../frontend/state/map-view.js";
@@ -41,6 +42,12 @@ test("mapView reaches a collision beyond the usual axes", () => {
   assert.equal(view.kappa.max, 50_000);
   assert.equal(view.gtOverGn.min, 1e-3);
   assert.ok(!placeOnMap(view, { ...AT, kappa: 37_204, gt_over_gn: 1e-3 }).outside);
+});
+
+test("scaleFor keeps the scale unless the collision is beyond its axes", () => {
+  assert.equal(scaleFor({ ...AT, kappa: 1000 }, LINEAR), "linear");
+  assert.equal(scaleFor({ ...AT, kappa: 2000 }, LINEAR), "log");
+  assert.equal(scaleFor(AT, LOG), "log");
 });
 
 test("mapView does not stretch without end: there the collision stands at the edge", () => {
