@@ -4,6 +4,7 @@ import { cutFigure } from "../figures/cut-figure.js";
 import { CUT_MARGIN } from "../figures/plot-area.js";
 import { axesMuOverAlpha, gtOverGnAt, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
+import { layOver } from "./overlay.js";
 import { createPlot } from "./plot.js";
 import { letterOf } from "./presets.js";
 import { typeset } from "./typeset.js";
@@ -29,8 +30,7 @@ export function mountCut(element, onPlace) {
   });
   const stage = find(".plot-stage", element);
   const mark = find(".cut-mark", element);
-  const { l, r, t, b } = CUT_MARGIN;
-  mark.style.setProperty("inset", `${t / 16}rem ${r / 16}rem ${b / 16}rem ${l / 16}rem`);
+  layOver(mark, CUT_MARGIN);
   /** @type {[number, number]} */
   let range = [-1, 1];
   /** @type {ShownCut | null} */

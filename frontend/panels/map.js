@@ -6,6 +6,7 @@ import { typable } from "../format/number.js";
 import { collisionAt, placeOnMap } from "../state/map-view.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
+import { layOver } from "./overlay.js";
 import { createPlot } from "./plot.js";
 import { createSurface } from "./surface.js";
 import { onThemeChange } from "./theme.js";
@@ -34,10 +35,7 @@ export function mountMap(element, { onPlace, onOption }) {
   const legend = createMapLegend(find(".map-legend", element));
   const crosshair = find(".crosshair", element);
   const beyond = find(".beyond", crosshair);
-  const { l, r, t, b } = MAP_MARGIN;
-  for (const [name, value] of Object.entries({ left: l, right: r, top: t, bottom: b })) {
-    crosshair.style.setProperty(name, `${value / 16}rem`);
-  }
+  layOver(crosshair, MAP_MARGIN);
   const surface = createSurface(find(".plot-stage", element));
   /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;

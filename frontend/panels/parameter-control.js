@@ -85,8 +85,10 @@ export function mountParameterControl(parent, parameter, onChange) {
   });
   reset.addEventListener("click", (event) => {
     onChange(parameter.initial, { dragging: false, inputTimeStamp: event.timeStamp });
-    // The button is of no use any more, and takes the focus with it.
-    slider.focus({ preventScroll: true });
+    // The button has done its work and gives the focus up; a finger wants no keyboard on the screen.
+    if (event.detail === 0) {
+      field.focus();
+    }
   });
 
   /** What was typed stands: it need not be left for that. */

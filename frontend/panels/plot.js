@@ -1,6 +1,7 @@
 // @ts-check
 
 import { announceCanvasReading } from "./canvas-reading.js";
+import { noteRest } from "./overlay.js";
 import { quickDraw } from "./quick-draw.js";
 import { currentTheme, onThemeChange } from "./theme.js";
 
@@ -60,7 +61,7 @@ export function createPlot(element, makeFigure, config = STILL) {
   }
 
   const observer = new ResizeObserver(([{ contentRect }]) => {
-    size = { width: Math.floor(contentRect.width), height: Math.floor(contentRect.height) };
+    size = noteRest(element, contentRect);
     draw();
   });
   observer.observe(element);

@@ -3,6 +3,7 @@
 import { TRACE_MARGIN } from "../figures/plot-area.js";
 import { significant } from "../format/number.js";
 import { find } from "./find.js";
+import { layOver } from "./overlay.js";
 
 /**
  * @typedef {import("../api/client.js").Trace} Trace
@@ -18,7 +19,6 @@ import { find } from "./find.js";
  * @param {(share: number) => void} onPoint told where the pointer is
  */
 export function mountTimeCursor(views, onPoint) {
-  const { l, r, t, b } = TRACE_MARGIN;
   const cursors = views.map(({ panel }) => find(".time-cursor", panel));
   const readings = views.map(({ panel }) => find(".reading", panel));
   /** @type {Trace | null} */
@@ -29,7 +29,7 @@ export function mountTimeCursor(views, onPoint) {
   let shown = 0;
 
   for (const cursor of cursors) {
-    cursor.style.setProperty("inset", `${t / 16}rem ${r / 16}rem ${b / 16}rem ${l / 16}rem`);
+    layOver(cursor, TRACE_MARGIN);
     cursor.addEventListener("pointermove", (event) => {
       move(Math.min(1, Math.max(0, event.offsetX / cursor.clientWidth)));
     });

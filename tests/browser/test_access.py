@@ -151,8 +151,11 @@ def test_every_control_works_by_keyboard_alone(page: Page, server: str):
     page.keyboard.press("Tab")
     page.keyboard.press("Enter")
     seen: set[str] = set()
+    kind = ""
     for _ in range(200):
-        page.keyboard.press("Tab")
+        # a reset hands the focus on to the field
+        if not kind.endswith("-reset"):
+            page.keyboard.press("Tab")
         stop = page.evaluate(FOCUSED)
         kind = operate(page, stop)
         settle(page, server)
