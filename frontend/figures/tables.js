@@ -61,7 +61,7 @@ export function velocityTable(trace) {
 export function contactTable(trace) {
   return traceTable(trace, "Compression of the spheres and stretch of the spring, scaled,", {
     compression: trace.compression,
-    "stretch of the spring": trace.spring_elongation,
+    stretch: trace.spring_elongation,
   });
 }
 
