@@ -4,13 +4,17 @@ import {
   collisionQuery,
   createClient,
   cutQuery,
+  errorMapQuery,
   mapQuery,
   Refused,
+  steppedQuery,
   traceQuery,
   Unreachable,
 } from "./api/client.js";
 import { mostSwitches } from "./figures/map-figure.js";
 import { SYMBOLS } from "./format/symbols.js";
+import { mountAccuracyScene } from "./panels/accuracy-scene.js";
+import { mountAccuracyControl } from "./panels/accuracy-control.js";
 import { mountCut } from "./panels/cut.js";
 import { mountEnergyToggle } from "./panels/energy-toggle.js";
 import { mountContactAnimation } from "./panels/contact-animation.js";
@@ -25,6 +29,7 @@ import { mountResultStrip } from "./panels/result-strip.js";
 import { mountShell } from "./panels/shell.js";
 import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
+import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
@@ -55,6 +60,9 @@ const banner = mountMessage(byTestId("banner"));
 const notice = mountMessage(byTestId("notice"));
 const shell = mountShell({ present: store.get, onOption: (patch) => store.set(patch) });
 const strip = mountResultStrip(byTestId("result"));
+const accuracyControl = mountAccuracyControl(byTestId("accuracy"), (patch, change) => {
+  store.set({ accuracy: { ...store.get().accuracy, ...patch } }, change);
+});
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
 const timeCursor = mountTimeCursor(
@@ -76,6 +84,13 @@ const map = mountMap(find(".map-panel"), {
   onOption: (patch) => store.set(patch),
 });
 const cut = mountCut(find(".cut-panel"), changeCollision);
+const accuracyScene = mountAccuracyScene({
+  load: client,
+  onError: explain,
+  onOption: (patch) => store.set(patch),
+  onAccuracy: (patch) => store.set({ accuracy: { ...store.get().accuracy, ...patch } }),
+  onPlace: changeCollision,
+});
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   const { kappa, mu_over_alpha, gt_over_gn } = preset;
@@ -149,8 +164,16 @@ mountPictures({
     trace: shownCollision?.trace ?? null,
     map: shownMap,
     cut: shownCut,
+    ...accuracyScene.shown(),
   }),
-  queries: { collision: collisionQuery, trace: traceQuery, map: mapQuery, cut: cutQuery },
+  queries: {
+    collision: collisionQuery,
+    trace: traceQuery,
+    map: mapQuery,
+    cut: cutQuery,
+    errorMap: errorMapQuery,
+    stepped: steppedQuery,
+  },
 });
 
 store.subscribe((state, previous, change) => {
@@ -187,6 +210,7 @@ function changeCollision(patch, change) {
 /** What is known without asking anyone. @param {PageState} state */
 function showState(state) {
   shell.show(state);
+  accuracyControl.show(state.accuracy);
   for (const { key, show } of controls) {
     show(state.collision[key]);
   }
@@ -227,6 +251,7 @@ function preview(collision, { inputTimeStamp }) {
 function loadAll() {
   maps.forget();
   cuts.forget();
+  accuracyScene.forget();
   ask(store.get(), { dragging: false, inputTimeStamp: performance.now() });
   loadPresets();
 }
@@ -237,10 +262,23 @@ function loadAll() {
  * @param {Change} change
  */
 function ask(state, change) {
-  collisions.request({ collision: state.collision, change });
+  collisions.request({ collision: state.collision, accuracy: state.accuracy, change });
   if (!change.dragging) {
-    maps.follow(state, false);
-    cuts.follow(state, false);
+    followRest(state, false);
+  }
+}
+
+/**
+ * What the scene shows besides the collision itself.
+ * @param {PageState} state
+ * @param {boolean} dragging
+ */
+function followRest(state, dragging) {
+  if (state.scene === "explorer") {
+    maps.follow(state, dragging);
+    cuts.follow(state, dragging);
+  } else {
+    accuracyScene.follow(state, dragging);
   }
 }
 
@@ -269,11 +307,33 @@ async function loadPresets() {
 }
 
 /**
- * The collision with its trace, or, where it switches too often for a picture, without.
- * @param {{collision: Collision, change: Change}} wish
+ * @typedef {object} CollisionWish
+ * @property {Collision} collision
+ * @property {import("./state/accuracy.js").Accuracy} accuracy
+ * @property {Change} change
+ */
+
+/**
+ * The exact collision, and what the chosen method makes of ε_t.
+ * @param {CollisionWish} wish
  * @param {AbortSignal} signal
  */
-async function loadCollision({ collision }, signal) {
+async function loadCollision({ collision, accuracy }, signal) {
+  const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
+  const isOffered = canAnswer(accuracy.method, collision);
+  const [exactly, answer] = await Promise.all([
+    loadExactCollision(collision, signal),
+    isUsual || !isOffered ? null : client.answer(collision, accuracyQuery(accuracy), signal),
+  ]);
+  return { ...exactly, result: { ...exactly.result, ...answer }, isOffered };
+}
+
+/**
+ * The collision with its trace, or, where it switches too often for a picture, without.
+ * @param {Collision} collision
+ * @param {AbortSignal} signal
+ */
+async function loadExactCollision(collision, signal) {
   if (mayBeTooStiffToDraw(collision)) {
     const result = await client.collision(collision, signal);
     if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
@@ -287,13 +347,15 @@ async function loadCollision({ collision }, signal) {
 /**
  * The strip and the force trace first; what can wait a frame, after them.
  * @param {Awaited<ReturnType<typeof loadCollision>>} answer
- * @param {{collision: Collision, change: Change}} wish
+ * @param {CollisionWish} wish
  */
-function showCollision(answer, { collision, change }) {
+function showCollision(answer, { collision, accuracy, change }) {
   shownCollision = answer;
-  const { result, trace, reason } = answer;
-  const isPresent = sameCollision(collision, store.get().collision);
+  const { result, trace, reason, isOffered } = answer;
+  const now = store.get();
+  const isPresent = sameCollision(collision, now.collision) && sameAccuracy(accuracy, now.accuracy);
   strip.show(result, change.dragging, isPresent);
+  accuracyControl.tell(isOffered ? "" : accuracy.method);
   if (isPresent) {
     map.settle(result, change.dragging);
   }
@@ -316,9 +378,9 @@ function showCollision(answer, { collision, change }) {
       }
       animation.show(trace);
     }
+    accuracyScene.settle(trace);
     if (change.dragging) {
-      maps.follow(store.get(), true);
-      cuts.follow(store.get(), true);
+      followRest(store.get(), true);
     } else if (trace) {
       force.describe(trace);
       velocity.describe(trace);

@@ -20,6 +20,8 @@ import { decodeArrays } from "./arrays.js";
  * @property {number | null} milliseconds the server's own computing time
  */
 
+/** @typedef {Pick<CollisionAnswer, "epsilon_t" | "method" | "error_bound" | "milliseconds">} Answer */
+
 /**
  * What this page reads of an answer of `/trace`, its columns among it.
  * @typedef {CollisionAnswer & Columns & {switch_times: Float64Array}} Trace
@@ -40,6 +42,24 @@ import { decodeArrays } from "./arrays.js";
  * What is asked of `/cut`, and its columns; a number that does not exist is NaN.
  * @typedef {{kappa: number, muOverAlpha: number, view: import("../state/map-view.js").MapView, count: number}} CutWish
  * @typedef {{switches: Int32Array | Float64Array} & Record<"values" | "epsilon_t" | "coulomb" | "stiff_bound" | "stiff_asymptote", Float64Array>} Cut
+ */
+
+/**
+ * A collision in time steps.
+ * @typedef {object} Stepped
+ * @property {number} epsilon_t
+ * @property {number} error_bound
+ * @property {Float64Array} method_time
+ * @property {Float64Array} method_tangential_force_over_mu
+ */
+
+/**
+ * What this page reads of `/tradeoff` and of `/steps`.
+ * @typedef {{scene: string, measured_at: string, machine: string, rows: import("../figures/tradeoff-figure.js").Row[]}} Tradeoff
+ * @typedef {object} StepsAnswer
+ * @property {number} stability_limit
+ * @property {Record<string, {p95: number | null, worst: number | null}>} needed
+ * @property {{steps_max: number, velocity_verlet: {error_p95: number | null, error_max: number | null}}} rule
  */
 
 /** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, damping: number, source: string}} Preset */
@@ -95,6 +115,20 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     },
 
     /**
+     * ε_t alone, as exactly as is wanted of it.
+     * @param {import("../state/parameters.js").Collision} collision
+     * @param {Record<string, string>} accuracy method, tolerance and the like
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Answer>}
+     */
+    async answer(collision, accuracy, signal) {
+      const query = new URLSearchParams(answerQuery(collision, accuracy));
+      const { body, milliseconds } = await get(`${base}/collision?${query}`, signal);
+      const { epsilon_t, method, error_bound } = body;
+      return { epsilon_t, method, error_bound, milliseconds };
+    },
+
+    /**
      * @param {import("../state/parameters.js").Collision} collision
      * @param {AbortSignal} [signal]
      * @returns {Promise<Trace>}
@@ -132,6 +166,55 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
       return /** @type {Cut} */ (decodeArrays(body));
     },
 
+    /**
+     * What a method is off, cell by cell.
+     * @param {Parameters<typeof errorMapQuery>[0]} wish
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Float64Array[]>}
+     */
+    async errorMap(wish, signal) {
+      const query = new URLSearchParams({ ...errorMapQuery(wish), encoding: "base64" });
+      const { body } = await get(`${base}/map?${query}`, signal);
+      return decodeArrays(body).error;
+    },
+
+    /**
+     * A collision in time steps, as these have it.
+     * @param {import("../state/parameters.js").Collision} collision
+     * @param {Record<string, string>} accuracy
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Stepped>}
+     */
+    async stepped(collision, accuracy, signal) {
+      const query = new URLSearchParams({
+        ...steppedQuery(collision, accuracy),
+        encoding: "base64",
+      });
+      return /** @type {Stepped} */ (
+        decodeArrays((await get(`${base}/trace?${query}`, signal)).body)
+      );
+    },
+
+    /**
+     * How many steps a wanted error takes.
+     * @param {Record<string, string>} query
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<StepsAnswer>}
+     */
+    async steps(query, signal) {
+      return (await get(`${base}/steps?${new URLSearchParams(query)}`, signal)).body;
+    },
+
+    /**
+     * What was measured in a region.
+     * @param {string} region
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Tradeoff>}
+     */
+    async tradeoff(region, signal) {
+      return (await get(`${base}/tradeoff?scene=${region}`, signal)).body;
+    },
+
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;
@@ -142,6 +225,15 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
 /** What `/collision` is asked. @param {import("../state/parameters.js").Collision} collision */
 export function collisionQuery({ kappa, mu_over_alpha, gt_over_gn }) {
   return inWords({ kappa, mu_over_alpha, gt_over_gn });
+}
+
+/**
+ * What `/collision` is asked where ε_t alone is wanted.
+ * @param {import("../state/parameters.js").Collision} collision
+ * @param {Record<string, string>} accuracy
+ */
+export function answerQuery(collision, accuracy) {
+  return { ...collisionQuery(collision), quantities: "epsilon_t", ...accuracy };
 }
 
 /** What `/trace` is asked. @param {import("../state/parameters.js").Collision} collision */
@@ -170,6 +262,29 @@ export function mapQuery(muOverAlpha, view, counts) {
     gt_over_gn_max: String(view.gtOverGn.max),
     gt_over_gn_count: String(counts.gtOverGn),
     gt_over_gn_scale: view.scale,
+  };
+}
+
+/**
+ * What `/map` is asked for its error.
+ * @param {{muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: {kappa: number, gtOverGn: number}, accuracy: Record<string, string>}} wish
+ */
+export function errorMapQuery({ muOverAlpha, view, counts, accuracy }) {
+  return { ...mapQuery(muOverAlpha, view, counts), quantities: "error", ...accuracy };
+}
+
+/**
+ * What `/trace` is asked for the steps of a method: of the exact columns, none that costs.
+ * @param {import("../state/parameters.js").Collision} collision
+ * @param {Record<string, string>} accuracy
+ */
+export function steppedQuery(collision, accuracy) {
+  return {
+    ...collisionQuery(collision),
+    samples: "2",
+    quantities: "time",
+    episode_limit: "0",
+    ...accuracy,
   };
 }
 

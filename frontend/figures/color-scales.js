@@ -55,6 +55,27 @@ const COUNTING = {
   ],
 };
 
+/** Colours for errors, from none, the colour of the page, to as large as ε_t itself. */
+const FAILING = {
+  light: ["#f6f2ea", "#f4dcae", "#eeb37a", "#dd7f5e", "#b94a55", "#7e264f", "#3b1136"],
+  dark: ["#191c22", "#33213f", "#6a2a58", "#a53a5a", "#da5f4e", "#f3a053", "#fbe6a0"],
+};
+
+/** @param {boolean} dark */
+export function errorColors(dark) {
+  return FAILING[dark ? "dark" : "light"];
+}
+
+/**
+ * Stops [share, colour] from the least error to the largest.
+ * @param {boolean} dark
+ * @returns {[number, string][]}
+ */
+export function errorStops(dark) {
+  const colors = errorColors(dark);
+  return colors.map((color, i) => [i / (colors.length - 1), color]);
+}
+
 /**
  * How much of the colours is spent at |ε_t|: its root, for most of the map lies near zero.
  * @param {number} epsilon

@@ -132,25 +132,75 @@ export function cutTable(cut, along, here, kappa) {
 }
 
 /**
+ * The force at the steps of a method.
+ * @param {import("../api/client.js").Stepped} stepped
+ * @returns {Table}
+ */
+export function steppedTable({ method_time: time, method_tangential_force_over_mu: force }) {
+  const indices = spreadIndices(time.length, TRACE_ROWS);
+  return {
+    caption: `Tangential force in time steps: ${indices.length} of ${time.length} instants. CSV and JSON hold the exact force, JSON the steps too.`,
+    headings: ["time", "F_t/μ"],
+    rows: indices.map((i) => [significant(time[i]), significant(force[i])]),
+  };
+}
+
+/**
  * Every so many cells of the map, and those nearest to the present collision.
  * @param {{grid: import("../api/client.js").MapGrid, quantity: "epsilon_t" | "switches"}} map
  * @param {{along: string, here: number, frame: string}} rows what they run over, where the present collision is, and what else holds
  * @param {import("../state/parameters.js").Collision} collision
  * @returns {Table}
  */
-export function mapTable({ grid, quantity }, { along, here, frame }, collision) {
-  const { kappa, gt_over_gn: gtOverGn } = grid;
+export function mapTable({ grid, quantity }, rows, collision) {
+  const name = quantity === "switches" ? "Number of switches" : "ε_t";
+  return gridTable(name, grid, grid[quantity], rows, collision);
+}
+
+/**
+ * The error of a method in every so many cells.
+ * @param {Float64Array[]} errors
+ * @param {import("../state/map-view.js").MapView} view
+ * @param {Parameters<typeof mapTable>[1]} rows
+ * @param {import("../state/parameters.js").Collision} collision
+ * @returns {Table}
+ */
+export function errorTable(errors, view, rows, collision) {
+  const axes = {
+    kappa: valuesOf(view.kappa, errors[0].length),
+    gt_over_gn: valuesOf(view.gtOverGn, errors.length),
+  };
+  return gridTable("Error of ε_t", axes, errors, rows, collision);
+}
+
+/**
+ * @param {import("../state/scales.js").Scale} scale
+ * @param {number} count
+ */
+function valuesOf(scale, count) {
+  return Float64Array.from({ length: count }, (_, i) => scale.fromShare(i / (count - 1)));
+}
+
+/**
+ * @param {string} name
+ * @param {{kappa: Float64Array, gt_over_gn: Float64Array}} axes
+ * @param {(Float64Array | Int32Array)[]} cells
+ * @param {Parameters<typeof mapTable>[1]} rows
+ * @param {import("../state/parameters.js").Collision} collision
+ * @returns {Table}
+ */
+function gridTable(name, axes, cells, { along, here, frame }, collision) {
+  const { kappa, gt_over_gn: gtOverGn } = axes;
   const [column] = placesAmong(kappa, [collision.kappa]);
   const [row] = placesAmong(gtOverGn, [here]);
   const columns = spreadIndices(kappa.length, MAP_COLUMNS, [column]);
   const rows = spreadIndices(gtOverGn.length, MAP_ROWS, [row]).reverse();
-  const name = quantity === "switches" ? "Number of switches" : "ε_t";
   return {
     caption: `${name} over κ (columns) and ${along} (rows) ${frame}: some cells of the map, those nearest to the present collision among them. CSV and JSON hold all.`,
     headings: [along, ...columns.map((k) => `κ ${significant(kappa[k], 3)}`)],
     rows: rows.map((i) => [
       significant(gtOverGn[i], 3),
-      ...columns.map((k) => significant(grid[quantity][i][k], 3)),
+      ...columns.map((k) => significant(cells[i][k], 3)),
     ]),
     here: rows.indexOf(row),
   };

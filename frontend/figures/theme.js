@@ -21,6 +21,11 @@
  * @property {string} normalForce
  * @property {string} tangentialForce
  * @property {string} velocity
+ * @property {string} methodTable
+ * @property {string} methodSteps
+ * @property {string} methodEuler
+ * @property {string} methodOde
+ * @property {string} methodPeer
  */
 
 /** Which custom property of the style sheet each of them is. */
@@ -41,4 +46,9 @@ export const THEME_PROPERTIES = {
   normalForce: "--normal-force",
   tangentialForce: "--tangential-force",
   velocity: "--velocity",
+  methodTable: "--method-table",
+  methodSteps: "--method-steps",
+  methodEuler: "--method-euler",
+  methodOde: "--method-ode",
+  methodPeer: "--method-peer",
 };

@@ -7,7 +7,7 @@ import { find } from "./find.js";
 import { layOver } from "./overlay.js";
 import { createPlot } from "./plot.js";
 import { letterOf } from "./presets.js";
-import { typeset } from "./typeset.js";
+import { withhold } from "./withhold.js";
 
 /**
  * @typedef {Parameters<typeof cutFigure>[0]} ShownCut
@@ -96,8 +96,7 @@ export function mountCut(element, onPlace) {
      */
     show(next, dragging) {
       shown = { ...next, letters, most };
-      stage.toggleAttribute("data-withheld", false);
-      typeset(find(".withheld", stage), "");
+      withhold(stage, "");
       draw(dragging);
       plotElement.setAttribute(
         "aria-label",
@@ -106,10 +105,7 @@ export function mountCut(element, onPlace) {
     },
 
     /** @param {string} reason */
-    withhold(reason) {
-      stage.toggleAttribute("data-withheld", true);
-      typeset(find(".withheld", stage), reason);
-    },
+    withhold: (reason) => withhold(stage, reason),
 
     /** @param {import("../api/client.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {

@@ -4,11 +4,15 @@ import {
   contactTable,
   cutTable,
   forceTable,
+  errorTable,
   mapTable,
   resultTable,
+  steppedTable,
   velocityTable,
 } from "../figures/tables.js";
+import { tradeoffTable } from "../figures/tradeoff-table.js";
 import { significant } from "../format/number.js";
+import { accuracyQuery, failingOf, inSteps } from "../state/accuracy.js";
 import { FULL_CUT } from "../state/cut-loader.js";
 import { FULL_MAP } from "../state/map-loader.js";
 import { axesMuOverAlpha, heightOf, mapView, placeOnMap } from "../state/map-view.js";
@@ -21,6 +25,9 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @property {import("../api/client.js").CollisionAnswer | null} result
  * @property {import("../api/client.js").Trace | null} trace
  * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} map
+ * @property {import("../api/client.js").Tradeoff | null} tradeoff
+ * @property {{errors: Float64Array[], wish: import("../state/error-map-loader.js").ErrorMapWish} | null} errors
+ * @property {import("../api/client.js").Stepped | null} stepped
  * @property {{cut: import("../api/client.js").Cut, kappa: number, view: import("../state/map-view.js").MapView} | null} cut
  */
 
@@ -36,6 +43,8 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {(collision: Collision) => Record<string, string>} page.queries.trace
  * @param {(muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: typeof FULL_MAP) => Record<string, string>} page.queries.map
  * @param {(wish: import("../api/client.js").CutWish) => Record<string, string>} page.queries.cut
+ * @param {(wish: import("../state/error-map-loader.js").ErrorMapWish) => Record<string, string>} page.queries.errorMap
+ * @param {(collision: Collision, accuracy: Record<string, string>) => Record<string, string>} page.queries.stepped
  */
 export function mountPictures({ present, shown, queries }) {
   const parameters = () => ({ ...present().collision });
@@ -102,6 +111,53 @@ export function mountPictures({ present, shown, queries }) {
           const { along, here } = rowsOf(view);
           return cutTable(cut, along, here, kappa);
         }),
+    },
+    tradeoff: {
+      title: "Error against time",
+      subject: () => present().region,
+      request: () => ({ call: "tradeoff", query: { scene: present().region } }),
+      parameters: () => ({}),
+      table: () => made(shown().tradeoff, tradeoffTable),
+    },
+    error_map: {
+      title: "Error",
+      subject: () => failingOf(present().accuracy).method,
+      request() {
+        const { collision, accuracy } = present();
+        const view = mapView(collision, present());
+        const wish = shown().errors?.wish ?? {
+          view,
+          muOverAlpha: axesMuOverAlpha(view, collision),
+          counts: FULL_MAP,
+          accuracy: accuracyQuery(failingOf(accuracy)),
+        };
+        return { call: "map", query: queries.errorMap(wish) };
+      },
+      parameters,
+      table: () =>
+        made(shown().errors, ({ errors, wish }) =>
+          errorTable(errors, wish.view, rowsOf(wish.view), present().collision),
+        ),
+    },
+    overlay: {
+      title: "Force in time steps",
+      request() {
+        const { collision, accuracy } = present();
+        return {
+          call: "trace",
+          query: queries.stepped(collision, accuracyQuery(inSteps(accuracy))),
+        };
+      },
+      parameters,
+      table: () => made(shown().stepped, steppedTable),
+    },
+    steps: {
+      title: "Steps for an error",
+      request() {
+        const { collision, wanted_error: error } = present();
+        return { call: "steps", query: { ...queries.collision(collision), error } };
+      },
+      parameters,
     },
   };
 

@@ -77,10 +77,11 @@ export function mountShell({ present, onOption }) {
       theme.value = state.theme;
       setOrRemove(root, "data-theme", state.theme, "system");
       setOrRemove(root, "data-embed", embed, "none");
+      root.dataset.shown = scene;
       for (const panel of document.querySelectorAll("[data-panel]")) {
         panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
       }
-      for (const part of document.querySelectorAll("main[data-scene]")) {
+      for (const part of document.querySelectorAll("main [data-scene]")) {
         part.toggleAttribute("hidden", part.getAttribute("data-scene") !== scene);
       }
       for (const { id, link } of links) {

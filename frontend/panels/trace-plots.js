@@ -3,9 +3,8 @@
 import { forceFigure } from "../figures/force-figure.js";
 import { velocityFigure } from "../figures/velocity-figure.js";
 import { significant } from "../format/number.js";
-import { find } from "./find.js";
 import { createPlot } from "./plot.js";
-import { typeset } from "./typeset.js";
+import { withhold } from "./withhold.js";
 
 /**
  * The force trace.
@@ -59,13 +58,6 @@ export function mountVelocity(element) {
 function createTracePlot(element, makeFigure) {
   const plot = createPlot(element, makeFigure);
   const stage = /** @type {HTMLElement} */ (element.parentElement);
-  const reasonLine = find(".withheld", stage);
-
-  /** @param {string} reason */
-  function tell(reason) {
-    stage.toggleAttribute("data-withheld", reason !== "");
-    typeset(reasonLine, reason);
-  }
 
   return {
     /**
@@ -74,11 +66,12 @@ function createTracePlot(element, makeFigure) {
      */
     show(trace, dragging) {
       if (stage.hasAttribute("data-withheld")) {
-        tell("");
+        withhold(stage, "");
       }
       return plot.show(trace, dragging);
     },
-    withhold: tell,
+    /** @param {string} reason */
+    withhold: (reason) => withhold(stage, reason),
     unmount: plot.destroy,
   };
 }

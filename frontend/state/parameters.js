@@ -73,12 +73,21 @@ export const INITIAL_COLLISION = {
  * @returns {number | null}
  */
 export function parseParameter(parameter, text) {
+  const value = parseNumber(text);
+  return value !== null && parameter.admits(value) ? value : null;
+}
+
+/**
+ * The finite number a text stands for, or null.
+ * @param {string} text
+ */
+export function parseNumber(text) {
   const plain = text.trim().replace("\u2212", "-").replace(",", ".");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) {
     return null;
   }
   const value = Number(plain);
-  return Number.isFinite(value) && parameter.admits(value) ? value : null;
+  return Number.isFinite(value) ? value : null;
 }
 
 /**

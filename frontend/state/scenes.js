@@ -5,4 +5,7 @@
  * one of them alone carries its id as `data-scene`.
  * @type {{id: string, title: string}[]}
  */
-export const SCENES = [{ id: "explorer", title: "Explorer" }];
+export const SCENES = [
+  { id: "explorer", title: "Explorer" },
+  { id: "accuracy", title: "Speed and accuracy" },
+];

@@ -1,8 +1,10 @@
 // @ts-check
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
-import { PARAMETERS, parseParameter } from "./parameters.js";
+import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
+import { PARAMETERS, parseNumber, parseParameter } from "./parameters.js";
 import { SCENES } from "./scenes.js";
+import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
 /** The options that are words, each with what it may be; the first is the default. */
 const WORDS = {
@@ -14,11 +16,26 @@ const WORDS = {
   energy: ["hidden", "shown"],
 };
 
+/** Panels that belong to one scene. */
+const PANELS = {
+  explorer: ["force", "velocity", "map", "cut", "contact"],
+  accuracy: ["tradeoff", "error_map", "overlay", "steps"],
+};
+
 /** The same of the page around the pictures; they stand in the address only where they are not the first. */
 const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
-  embed: ["none", "result", "force", "velocity", "map", "cut", "contact"],
+  embed: ["none", "result", ...PANELS.explorer, ...PANELS.accuracy],
+  region: REGIONS.map(({ id }) => id),
+  statistic: STATISTICS.map(({ id }) => id),
+  wanted_error: WANTED_ERRORS,
+};
+
+/** How ε_t is got; it stands in the address only where it is not the usual way. */
+const ACCURACY_WORDS = {
+  method: METHODS.map(({ id }) => id),
+  integrator: INTEGRATORS.map(({ id }) => id),
 };
 
 const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
@@ -27,6 +44,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * What the page shows; it stands in the address bar in full.
  * @typedef {object} PageState
  * @property {import("./parameters.js").Collision} collision
+ * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the axes of map and cut
  * @property {"kappa" | "alpha_kappa"} map_x what the map's horizontal axis is labelled with
@@ -35,6 +53,9 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {"hidden" | "shown"} energy over time, with the velocity
  * @property {string} scene
  * @property {"system" | "light" | "dark"} theme
+ * @property {string} region whose measurement is shown
+ * @property {string} statistic of the errors there
+ * @property {string} wanted_error for which the steps are asked
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
 
@@ -62,26 +83,67 @@ export function readAddress(search) {
   /** @type {Record<string, string>} */
   const words = {};
   for (const [key, allowed] of Object.entries({ ...WORDS, ...PAGE_WORDS })) {
-    const text = query.get(key);
-    if (text !== null && !allowed.includes(text)) {
-      problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
-    }
-    words[key] = text !== null && allowed.includes(text) ? text : allowed[0];
+    words[key] = readWord(query, key, allowed, problems);
   }
-  return { state: /** @type {PageState} */ ({ collision, ...words }), problems };
+  // A panel that stands alone brings its scene along.
+  const own = Object.entries(PANELS).find(([, panels]) => panels.includes(words.embed));
+  words.scene = own?.[0] ?? words.scene;
+  const accuracy = readAccuracy(query, problems);
+  return { state: /** @type {PageState} */ ({ collision, accuracy, ...words }), problems };
+}
+
+/**
+ * @param {URLSearchParams} query
+ * @param {string[]} problems to which those of it are added
+ */
+function readAccuracy(query, problems) {
+  const numbers = Object.values(KNOBS).map(({ key, admits, requirement, initial }) => {
+    const text = query.get(key);
+    const value = text === null ? initial : parseNumber(text);
+    const isAllowed = value !== null && admits(value);
+    if (!isAllowed) {
+      problems.push(`${key} must be ${requirement}, not “${shortened(text ?? "")}”`);
+    }
+    return [key, isAllowed ? value : initial];
+  });
+  const words = Object.entries(ACCURACY_WORDS).map(([key, allowed]) => [
+    key,
+    readWord(query, key, allowed, problems),
+  ]);
+  return Object.fromEntries([...numbers, ...words]);
+}
+
+/**
+ * @param {URLSearchParams} query
+ * @param {string} key
+ * @param {string[]} allowed the first stands in for what is not
+ * @param {string[]} problems
+ */
+function readWord(query, key, allowed, problems) {
+  const text = query.get(key);
+  if (text !== null && !allowed.includes(text)) {
+    problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
+  }
+  return text !== null && allowed.includes(text) ? text : allowed[0];
 }
 
 /**
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, ...words }) {
+export function writeAddress({ collision, accuracy, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     query.set(key, String(collision[key]));
   }
   for (const key of WORD_KEYS) {
     query.set(key, words[key]);
+  }
+  for (const [key, usual] of Object.entries(USUAL_ACCURACY)) {
+    const value = accuracy[/** @type {keyof typeof accuracy} */ (key)];
+    if (value !== usual) {
+      query.set(key, String(value));
+    }
   }
   for (const [key, [usual]] of Object.entries(PAGE_WORDS)) {
     const word = words[/** @type {keyof typeof words} */ (key)];

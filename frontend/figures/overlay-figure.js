@@ -1,0 +1,65 @@
+// @ts-check
+
+import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+
+const REACH = 1.25;
+/** More steps than this make a line of their marks. */
+const MOST_MARKS = 250;
+
+/**
+ * The force as a method in time steps has it, over the exact one.
+ * @param {{trace: import("../api/client.js").Trace, stepped: import("../api/client.js").Stepped}} subject
+ * @param {import("./theme.js").Theme} theme
+ * @param {import("./plot-area.js").Size} size
+ * @returns {import("./plot-area.js").Figure}
+ */
+export function overlayFigure({ trace, stepped }, theme, size) {
+  const { unit } = theme;
+  const forces = stepped.method_tangential_force_over_mu;
+  const curve = (
+    /** @type {string} */ name,
+    /** @type {ArrayLike<number>} */ y,
+    /** @type {Record<string, any>} */ line,
+  ) => ({
+    name,
+    type: "scatter",
+    mode: "lines",
+    x: trace.time,
+    y,
+    line: { simplify: false, ...line },
+  });
+  const cap = { width: 1.25 * unit, color: theme.normalForce, dash: "5px,4px" };
+  return {
+    data: [
+      curve("plus normal force", trace.normal_force, cap),
+      curve(
+        "minus normal force",
+        trace.normal_force.map((force) => -force),
+        cap,
+      ),
+      curve("exact force", trace.tangential_force_over_mu, {
+        width: 2.25 * unit,
+        color: theme.tangentialForce,
+      }),
+      {
+        name: "force in time steps",
+        type: "scatter",
+        mode: forces.length > MOST_MARKS ? "lines" : "lines+markers",
+        x: stepped.method_time,
+        y: forces,
+        line: { width: 1.25 * unit, color: theme.methodEuler, simplify: false },
+        marker: { size: 5 * unit, color: theme.methodEuler },
+      },
+    ],
+    layout: {
+      ...baseLayout(theme, size, TRACE_MARGIN),
+      xaxis: timeAxis(theme, trace.contact_duration),
+      yaxis: {
+        ...plainAxis(theme, [-REACH, REACH], [-1, 0, 1], ["−1", "0", "1"]),
+        zeroline: true,
+        zerolinecolor: theme.grid,
+        zerolinewidth: 1,
+      },
+    },
+  };
+}

@@ -1,0 +1,192 @@
+// @ts-check
+
+import { accuracyQuery, failingOf, inSteps } from "../state/accuracy.js";
+import { createErrorMapLoader } from "../state/error-map-loader.js";
+import { createLatest } from "../state/latest.js";
+import { sameCollision } from "../state/parameters.js";
+import { mountCalculator } from "./calculator.js";
+import { mountErrorMap } from "./error-map.js";
+import { find } from "./find.js";
+import { mountStepOverlay } from "./step-overlay.js";
+import { mountTradeoff } from "./tradeoff.js";
+
+/**
+ * @typedef {import("../state/url.js").PageState} PageState
+ * @typedef {import("../api/client.js").Trace} Trace
+ * @typedef {import("../api/client.js").Tradeoff} Tradeoff
+ * @typedef {import("../api/client.js").StepsAnswer} StepsAnswer
+ * @typedef {import("../api/client.js").Stepped} Stepped
+ * @typedef {import("../state/error-map-loader.js").ErrorMapWish} ErrorMapWish
+ */
+
+/** After so many ms without a further change the calculator is asked. */
+const CALCULATOR_PAUSE = 250;
+
+/**
+ * The scene "Speed and accuracy": error against time of every method, where on the map the chosen one
+ * fails, its steps over the exact force, and how many steps an error takes.
+ * @param {object} handlers
+ * @param {object} handlers.load each from the server
+ * @param {(region: string, signal: AbortSignal) => Promise<Tradeoff>} handlers.load.tradeoff
+ * @param {(wish: ErrorMapWish, signal: AbortSignal) => Promise<Float64Array[]>} handlers.load.errorMap
+ * @param {(collision: import("../state/parameters.js").Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<Stepped>} handlers.load.stepped
+ * @param {(query: Record<string, string>, signal: AbortSignal) => Promise<StepsAnswer>} handlers.load.steps
+ * @param {(error: unknown) => void} handlers.onError
+ * @param {(patch: Partial<PageState>) => void} handlers.onOption
+ * @param {(patch: Partial<import("../state/accuracy.js").Accuracy>) => void} handlers.onAccuracy
+ * @param {Parameters<typeof mountErrorMap>[1]} handlers.onPlace
+ */
+export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlace }) {
+  const tradeoffPanel = mountTradeoff(find(".tradeoff"), { onOption, onAccuracy });
+  const errorMap = mountErrorMap(find(".error-map"), onPlace);
+  const overlay = mountStepOverlay(find(".overlay"), onAccuracy);
+  const calculator = mountCalculator(find(".calculator"), onOption);
+  /** @type {PageState | null} */
+  let present = null;
+  /** @type {Trace | null} */
+  let trace = null;
+  /** @type {Tradeoff | null} */
+  let tradeoff = null;
+  /** @type {{errors: Float64Array[], wish: ErrorMapWish} | null} */
+  let errors = null;
+  const asked = { region: "", steps: "", overlay: "" };
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let pause;
+
+  const tradeoffs = createLatest({
+    load: load.tradeoff,
+    onAnswer(answer) {
+      tradeoff = answer;
+      drawTradeoff();
+    },
+    onError,
+  });
+  const errorMaps = createErrorMapLoader({
+    load: load.errorMap,
+    onErrors(answer, wish) {
+      errors = { errors: answer, wish };
+      drawErrorMap();
+    },
+    onNothing() {
+      errors = null;
+      errorMap.withhold("This method does not answer everywhere on these axes");
+    },
+    onError,
+  });
+  const overlays = createLatest({
+    load: (/** @type {PageState} */ { collision, accuracy }, signal) =>
+      load.stepped(collision, accuracyQuery(inSteps(accuracy)), signal),
+    onAnswer(stepped, { collision }) {
+      if (trace && sameCollision(trace.parameters, collision)) {
+        overlay.show(trace, stepped);
+      }
+    },
+    onError,
+  });
+  const calculations = createLatest({
+    async load(/** @type {PageState} */ { collision, region, wanted_error: error }, signal) {
+      const numbers = Object.entries(collision).map(([key, value]) => [key, String(value)]);
+      const [here, there] = await Promise.all([
+        load.steps({ ...Object.fromEntries(numbers), error }, signal),
+        load.steps({ region, error }, signal),
+      ]);
+      return { here, there };
+    },
+    onAnswer: (answers, { region }) => calculator.show({ ...answers, region }),
+    onError,
+  });
+
+  function drawTradeoff() {
+    if (tradeoff && present) {
+      tradeoffPanel.show(tradeoff, present);
+    }
+  }
+
+  function drawErrorMap() {
+    if (errors && present) {
+      errorMap.show(errors.errors, errors.wish.view, present.map_x);
+    }
+  }
+
+  /** @param {PageState} state */
+  function followOverlay(state) {
+    if (!trace) {
+      overlay.withhold("No picture of this one");
+      return;
+    }
+    const wish = JSON.stringify([state.collision, accuracyQuery(inSteps(state.accuracy))]);
+    if (asked.overlay !== wish) {
+      asked.overlay = wish;
+      overlays.request(state);
+    }
+  }
+
+  /** @param {PageState} state */
+  function followCalculator(state) {
+    const wish = JSON.stringify([state.collision, state.region, state.wanted_error]);
+    if (asked.steps !== wish) {
+      asked.steps = wish;
+      clearTimeout(pause);
+      pause = setTimeout(() => calculations.request(state), CALCULATOR_PAUSE);
+    }
+  }
+
+  return {
+    /** What each panel shows, for its menu. */
+    shown: () => ({ tradeoff, errors, stepped: overlay.shown() }),
+
+    /**
+     * What the present state wants to see; what takes longer only when nothing is dragged.
+     * @param {PageState} state
+     * @param {boolean} dragging
+     */
+    follow(state, dragging) {
+      const before = present;
+      present = state;
+      if (state.scene !== "accuracy") {
+        return;
+      }
+      tradeoffPanel.options(state);
+      calculator.options(state);
+      errorMap.name(failingOf(state.accuracy));
+      overlay.options(state.accuracy);
+      errorMap.point(state.collision);
+      if (asked.region !== state.region) {
+        asked.region = state.region;
+        tradeoffs.request(state.region);
+      } else if (before?.statistic !== state.statistic || before.accuracy !== state.accuracy) {
+        drawTradeoff();
+      }
+      if (before?.map_x !== state.map_x) {
+        drawErrorMap();
+      }
+      errorMaps.follow(state, dragging);
+      followOverlay(state);
+      if (!dragging) {
+        followCalculator(state);
+      }
+    },
+
+    /** The exact collision, to lie under the steps. @param {Trace | null} next */
+    settle(next) {
+      trace = next;
+      asked.overlay = "";
+      if (present?.scene === "accuracy") {
+        followOverlay(present);
+      }
+    },
+
+    /** Takes nothing for answered, as after the server was away. */
+    forget() {
+      Object.assign(asked, { region: "", steps: "", overlay: "" });
+      errorMaps.forget();
+    },
+
+    unmount() {
+      clearTimeout(pause);
+      tradeoffPanel.unmount();
+      errorMap.unmount();
+      overlay.unmount();
+    },
+  };
+}

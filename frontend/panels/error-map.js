@@ -1,0 +1,73 @@
+// @ts-check
+
+import { errorColors } from "../figures/color-scales.js";
+import { ERROR_DECADES, errorMapFigure } from "../figures/error-map-figure.js";
+import { powerOfTen } from "../format/number.js";
+import { METHODS, titleOf } from "../state/accuracy.js";
+import { horizontalAxis } from "../state/map-view.js";
+import { mountCrosshair } from "./crosshair.js";
+import { byTestId, find } from "./find.js";
+import { createPlot } from "./plot.js";
+import { currentTheme, onThemeChange } from "./theme.js";
+import { withhold } from "./withhold.js";
+
+/**
+ * Where on the map the chosen method is off.
+ * @param {HTMLElement} element
+ * @param {Parameters<typeof mountCrosshair>[1]} onPlace
+ */
+export function mountErrorMap(element, onPlace) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, errorMapFigure);
+  const stage = find(".plot-stage", element);
+  const crosshair = mountCrosshair(find(".crosshair", element), onPlace);
+  drawLegend();
+  const endThemeChanges = onThemeChange(drawLegend);
+
+  function drawLegend() {
+    const { low, high } = ERROR_DECADES;
+    const bar = document.createElement("div");
+    const colors = errorColors(currentTheme().dark).join(", ");
+    bar.className = "legend-scale";
+    bar.style.setProperty("background", `linear-gradient(90deg, ${colors})`);
+    for (let power = low; power <= high; power += 2) {
+      const tick = document.createElement("span");
+      tick.className = "legend-tick";
+      tick.textContent = power === low ? `≤ ${powerOfTen(power)}` : powerOfTen(power);
+      tick.style.setProperty("--share", String((power - low) / (high - low)));
+      bar.append(tick);
+    }
+    byTestId("error-legend", element).replaceChildren(bar);
+  }
+
+  return {
+    point: crosshair.point,
+
+    /** Whose error it is. @param {import("../state/accuracy.js").Accuracy} accuracy */
+    name({ method, steps }) {
+      const title = titleOf(METHODS, method);
+      const text = method === "timestep" ? `error of ${steps} ${title}` : `error of ${title}`;
+      byTestId("error-map-method", element).textContent = text;
+      plotElement.setAttribute("aria-label", `Map of the ${text} in ε_t, in powers of ten.`);
+    },
+
+    /**
+     * @param {Float64Array[]} errors
+     * @param {import("../state/map-view.js").MapView} view
+     * @param {import("../state/map-view.js").HorizontalAxis["symbol"]} symbol
+     */
+    show(errors, view, symbol) {
+      withhold(stage, "");
+      plot.show({ errors, view, horizontal: horizontalAxis(view, symbol) });
+      crosshair.lieOn(view);
+    },
+
+    /** @param {string} reason */
+    withhold: (reason) => withhold(stage, reason),
+
+    unmount() {
+      endThemeChanges();
+      plot.destroy();
+    },
+  };
+}

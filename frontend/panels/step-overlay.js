@@ -1,0 +1,61 @@
+// @ts-check
+
+import { overlayFigure } from "../figures/overlay-figure.js";
+import { errorBound, significant } from "../format/number.js";
+import { INTEGRATORS } from "../state/accuracy.js";
+import { byTestId, find } from "./find.js";
+import { createPlot } from "./plot.js";
+import { typeset } from "./typeset.js";
+import { withhold } from "./withhold.js";
+
+/**
+ * The force in time steps over the exact force.
+ * @param {HTMLElement} element
+ * @param {(patch: {integrator: string}) => void} onAccuracy
+ */
+export function mountStepOverlay(element, onAccuracy) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, overlayFigure);
+  const stage = find(".plot-stage", element);
+  const name = byTestId("overlay-name", element);
+  /** @type {import("../api/client.js").Stepped | null} */
+  let shown = null;
+  const integrators = /** @type {HTMLSelectElement} */ (byTestId("integrator", element));
+  integrators.append(...INTEGRATORS.map(({ id, title }) => new Option(title, id)));
+  integrators.addEventListener("change", () => onAccuracy({ integrator: integrators.value }));
+
+  return {
+    shown: () => shown,
+
+    /** @param {import("../state/accuracy.js").Accuracy} accuracy */
+    options({ steps, integrator }) {
+      integrators.value = integrator;
+      byTestId("overlay-steps", element).textContent = `In ${steps} steps of`;
+    },
+
+    /**
+     * @param {import("../api/client.js").Trace} trace
+     * @param {import("../api/client.js").Stepped} stepped of the same collision
+     */
+    show(trace, stepped) {
+      shown = stepped;
+      withhold(stage, "");
+      plot.show({ trace, stepped });
+      const said = `ε_t = ${significant(stepped.epsilon_t, 3)}, off by ${errorBound(stepped.error_bound).replace("±", "")}`;
+      typeset(name, said);
+      plotElement.setAttribute(
+        "aria-label",
+        `Force in ${stepped.method_time.length} time steps over the exact force: ${said}, exactly ${significant(trace.epsilon_t, 3)}.`,
+      );
+    },
+
+    /** @param {string} reason */
+    withhold(reason) {
+      shown = null;
+      withhold(stage, reason);
+      typeset(name, "in time steps");
+    },
+
+    unmount: plot.destroy,
+  };
+}

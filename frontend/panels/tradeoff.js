@@ -1,0 +1,166 @@
+// @ts-check
+
+import { seriesOf, tradeoffFigure } from "../figures/tradeoff-figure.js";
+import { accuracyQuery, METHODS } from "../state/accuracy.js";
+import { REGIONS, STATISTICS } from "../state/tradeoff-options.js";
+import { byTestId, find } from "./find.js";
+import { createPlot } from "./plot.js";
+import { currentTheme, onThemeChange } from "./theme.js";
+
+/**
+ * @typedef {import("../figures/tradeoff-figure.js").Row} Row
+ * @typedef {import("../api/client.js").Tradeoff} Tradeoff
+ * @typedef {import("../state/url.js").PageState} PageState
+ */
+
+/** Points that are clicked and read, unlike those of the other plots. */
+const TOUCHABLE = { staticPlot: false, scrollZoom: false, doubleClick: false };
+
+/** The marks of the plot as letters. */
+const MARKS = /** @type {Record<string, string>} */ ({
+  star: "★",
+  square: "■",
+  diamond: "◆",
+  x: "✖",
+  circle: "●",
+  "circle-open": "○",
+  "triangle-up": "▲",
+  "triangle-up-open": "△",
+  "triangle-down-open": "▽",
+  hexagon: "⬢",
+});
+
+/**
+ * Error against time of every method, as it was measured.
+ * @param {HTMLElement} element
+ * @param {object} handlers
+ * @param {(patch: Partial<PageState>) => void} handlers.onOption
+ * @param {(patch: Partial<import("../state/accuracy.js").Accuracy>) => void} handlers.onAccuracy
+ */
+export function mountTradeoff(element, { onOption, onAccuracy }) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, tradeoffFigure, TOUCHABLE);
+  /** @type {{tradeoff: Tradeoff, state: PageState} | null} */
+  let shown = null;
+  let isListening = false;
+
+  choices(byTestId("region", element), "region", REGIONS);
+  choices(byTestId("statistic", element), "statistic", STATISTICS);
+  element.addEventListener("change", (event) => {
+    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
+    onOption({ [name]: value });
+  });
+
+  function drawLegend() {
+    if (shown) {
+      const theme = currentTheme();
+      byTestId("tradeoff-legend", element).replaceChildren(
+        ...seriesOf(shown.tradeoff.rows).map(({ name, color, symbol }) =>
+          legendItem(name, MARKS[symbol], String(theme[color])),
+        ),
+      );
+    }
+  }
+  const endThemeChanges = onThemeChange(drawLegend);
+
+  /** Plotly's own events exist once it has drawn. */
+  function listen() {
+    const graph = /** @type {any} */ (plotElement);
+    if (graph.on && !isListening) {
+      isListening = true;
+      graph.on("plotly_click", (/** @type {any} */ event) => choose(event.points[0]?.customdata));
+    }
+  }
+
+  /** @param {Row | undefined} row */
+  function choose(row) {
+    if (row && METHODS.some(({ id }) => id === row.method) && !("spring" in row.options)) {
+      onAccuracy({ method: row.method, ...row.options });
+    }
+  }
+
+  return {
+    /** Which choices are made. @param {PageState} state */
+    options({ region, statistic }) {
+      for (const [name, value] of Object.entries({ region, statistic })) {
+        const choice = find(`[name="${name}"][value="${value}"]`, element);
+        /** @type {HTMLInputElement} */ (choice).checked = true;
+      }
+    },
+
+    /**
+     * @param {Tradeoff} tradeoff
+     * @param {PageState} state
+     */
+    show(tradeoff, state) {
+      const { rows, measured_at: measuredAt, machine } = tradeoff;
+      const isNew = tradeoff !== shown?.tradeoff;
+      shown = { tradeoff, state };
+      plot.show({
+        rows,
+        statistic: /** @type {any} */ (`error_${state.statistic}`),
+        chosen: isChosen(state.accuracy),
+      });
+      listen();
+      if (isNew) {
+        drawLegend();
+        byTestId("tradeoff-source", element).textContent =
+          `Measured ${measuredAt.slice(0, 10)} on ${machine}. A click on a point chooses its method.`;
+        plotElement.setAttribute(
+          "aria-label",
+          `Error against time per collision of ${seriesOf(rows).length} ways to get ε_t, both logarithmic; the table in the menu has the numbers.`,
+        );
+      }
+    },
+
+    unmount() {
+      endThemeChanges();
+      plot.destroy();
+    },
+  };
+}
+
+/**
+ * @param {HTMLElement} fieldset
+ * @param {string} name
+ * @param {{id: string, title: string}[]} items
+ */
+function choices(fieldset, name, items) {
+  fieldset.append(
+    ...items.map(({ id, title }) => {
+      const label = document.createElement("label");
+      const input = document.createElement("input");
+      const text = document.createElement("span");
+      Object.assign(input, { type: "radio", name, value: id });
+      text.textContent = title;
+      label.append(input, text);
+      return label;
+    }),
+  );
+}
+
+/**
+ * @param {import("../state/accuracy.js").Accuracy} accuracy
+ * @returns {(row: Row) => boolean}
+ */
+function isChosen(accuracy) {
+  const query = accuracyQuery(accuracy);
+  return ({ method, options }) =>
+    method === query.method &&
+    Object.entries(options).every(([knob, value]) => query[knob] === String(value));
+}
+
+/**
+ * @param {string} name
+ * @param {string} mark
+ * @param {string} color
+ */
+function legendItem(name, mark, color) {
+  const item = document.createElement("li");
+  const swatch = document.createElement("span");
+  swatch.className = "swatch mark";
+  swatch.style.setProperty("color", color);
+  swatch.textContent = mark;
+  item.append(swatch, name);
+  return item;
+}

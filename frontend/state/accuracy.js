@@ -1,0 +1,177 @@
+// @ts-check
+
+/**
+ * How ε_t is to be got: by which method, and how exactly. Named as the API names it.
+ * @typedef {object} Accuracy
+ * @property {string} method
+ * @property {number} tolerance of `auto`
+ * @property {number} steps of `timestep`, in a contact
+ * @property {string} integrator of `timestep`
+ * @property {number} rtol of `ode`
+ */
+
+/**
+ * A number that trades speed for accuracy.
+ * @typedef {object} Knob
+ * @property {"tolerance" | "steps" | "rtol"} key
+ * @property {string} name
+ * @property {number} initial
+ * @property {(value: number) => boolean} admits
+ * @property {string} requirement in words that follow "must be"
+ * @property {number[]} notches from fast to exact
+ */
+
+/** @type {Record<Knob["key"], Knob>} */
+export const KNOBS = {
+  tolerance: {
+    key: "tolerance",
+    name: "tolerance",
+    initial: 1e-10,
+    admits: (value) => value >= 1e-13 && value <= 1,
+    requirement: "from 1e-13 to 1",
+    notches: powersOfTen(-1, -13),
+  },
+  steps: {
+    key: "steps",
+    name: "steps per contact",
+    initial: 50,
+    admits: (value) => Number.isInteger(value) && value >= 4 && value <= 1e6,
+    requirement: "an integer from 4 to 1000000",
+    notches: [
+      10, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000, 2000, 5000, 1e4, 2e4, 5e4, 1e5,
+    ],
+  },
+  rtol: {
+    key: "rtol",
+    name: "relative tolerance",
+    initial: 1e-9,
+    admits: (value) => value >= 1e-13 && value <= 0.1,
+    requirement: "from 1e-13 to 0.1",
+    notches: powersOfTen(-2, -13),
+  },
+};
+
+/**
+ * The methods by name, each with its knob, if it has one.
+ * @type {{id: string, title: string, knob: Knob | null}[]}
+ */
+export const METHODS = [
+  { id: "auto", title: "auto", knob: KNOBS.tolerance },
+  { id: "exact", title: "exact", knob: null },
+  { id: "table", title: "table", knob: null },
+  { id: "stiff", title: "stiff limit", knob: null },
+  { id: "coulomb", title: "Coulomb’s law", knob: null },
+  { id: "timestep", title: "time steps", knob: KNOBS.steps },
+  { id: "ode", title: "ODE solver", knob: KNOBS.rtol },
+];
+
+/** @type {{id: string, title: string}[]} */
+export const INTEGRATORS = [
+  { id: "velocity_verlet", title: "velocity Verlet" },
+  { id: "symplectic_euler", title: "symplectic Euler" },
+  { id: "forward_euler", title: "forward Euler" },
+];
+
+/** Errors below this have the colour of none. */
+const LEAST_VISIBLE = 1e-8;
+
+/** @type {Accuracy} */
+export const USUAL_ACCURACY = {
+  method: "auto",
+  tolerance: KNOBS.tolerance.initial,
+  steps: KNOBS.steps.initial,
+  integrator: INTEGRATORS[0].id,
+  rtol: KNOBS.rtol.initial,
+};
+
+/** @param {string} method */
+export function knobOf(method) {
+  return METHODS.find(({ id }) => id === method)?.knob ?? null;
+}
+
+/**
+ * What the API is asked of it: only what the method heeds.
+ * @param {Accuracy} accuracy
+ * @returns {Record<string, string>}
+ */
+export function accuracyQuery(accuracy) {
+  const { method, integrator } = accuracy;
+  const knob = knobOf(method);
+  return {
+    method,
+    ...(knob ? { [knob.key]: String(accuracy[knob.key]) } : {}),
+    ...(method === "timestep" ? { integrator } : {}),
+  };
+}
+
+/**
+ * Whose failing is to be shown: of what is exact to all the digits that one can see there is none, and
+ * time steps stand in.
+ * @param {Accuracy} accuracy
+ * @returns {Accuracy}
+ */
+export function failingOf(accuracy) {
+  const { method, tolerance } = accuracy;
+  const isExact = method === "exact" || (method === "auto" && tolerance < LEAST_VISIBLE);
+  return isExact ? inSteps(accuracy) : accuracy;
+}
+
+/** The same knobs, for time steps. @param {Accuracy} accuracy @returns {Accuracy} */
+export function inSteps(accuracy) {
+  return { ...accuracy, method: "timestep" };
+}
+
+/**
+ * Whether two ask for the same.
+ * @param {Accuracy} a
+ * @param {Accuracy} b
+ */
+export function sameAccuracy(a, b) {
+  return JSON.stringify(accuracyQuery(a)) === JSON.stringify(accuracyQuery(b));
+}
+
+/**
+ * The notch nearest to a value, as a ratio.
+ * @param {Knob} knob
+ * @param {number} value
+ */
+export function nearestNotch({ notches }, value) {
+  const distances = notches.map((notch) => Math.abs(Math.log(notch / value)));
+  return distances.indexOf(Math.min(...distances));
+}
+
+/**
+ * Whether a method answers a collision at all: a request that is refused leaves its mark in the
+ * browser's console.
+ * @param {string} method
+ * @param {import("./parameters.js").Collision} collision
+ */
+export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn }) {
+  const psi = gt_over_gn / mu_over_alpha;
+  switch (method) {
+    case "table":
+      return kappa >= 1e-2 && kappa <= 1e3 && psi >= 1e-3 && psi <= 1e3;
+    case "ode":
+      return kappa <= 1e5;
+    case "exact":
+      return kappa <= 1e8;
+    default:
+      return true;
+  }
+}
+
+/**
+ * @param {number} first
+ * @param {number} last
+ */
+function powersOfTen(first, last) {
+  return Array.from({ length: first - last + 1 }, (_, i) => Number(`1e${first - i}`));
+}
+
+/**
+ * @param {{id: string, title: string}[]} choices
+ * @param {string} wanted
+ */
+export function titleOf(choices, wanted) {
+  return choices.find(({ id }) => id === wanted)?.title ?? wanted;
+}
