@@ -32,9 +32,11 @@ const plotlyIsHere = new Promise((resolve) => {
  * @template Subject
  * @param {HTMLElement} element
  * @param {(subject: Subject, theme: import("../figures/theme.js").Theme, size: import("../figures/plot-area.js").Size) => import("../figures/plot-area.js").Figure} makeFigure
- * @param {Record<string, any>} [config] of Plotly
+ * @param {object} [options]
+ * @param {Record<string, any>} [options.config] of Plotly
+ * @param {(customdata: any) => void} [options.onPoint] told what a point stands for that was clicked
  */
-export function createPlot(element, makeFigure, config = STILL) {
+export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}) {
   /** @type {{subject: Subject} | null} */
   let shown = null;
   /** @type {import("../figures/plot-area.js").Size | null} */
@@ -55,6 +57,10 @@ export function createPlot(element, makeFigure, config = STILL) {
       Object.assign(element, { data: figure.data });
     } else {
       Plotly.react(element, figure.data, figure.layout, { ...CONFIG, ...config });
+      if (onPoint && !drawn) {
+        const plot = /** @type {any} */ (element);
+        plot.on("plotly_click", (/** @type {any} */ event) => onPoint(event.points[0]?.customdata));
+      }
     }
     drawn = figure;
     return isQuick;

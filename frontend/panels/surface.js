@@ -38,7 +38,7 @@ export function createSurface(stage) {
         element.setAttribute("role", "img");
         element.setAttribute("aria-label", "The map as a surface");
         stage.append(element);
-        open = { element, plot: createPlot(element, surfaceFigure, TURNABLE) };
+        open = { element, plot: createPlot(element, surfaceFigure, { config: TURNABLE }) };
       }
       draw();
     },

@@ -39,10 +39,9 @@ const MARKS = /** @type {Record<string, string>} */ ({
  */
 export function mountTradeoff(element, { onOption, onAccuracy }) {
   const plotElement = find(".plot", element);
-  const plot = createPlot(plotElement, tradeoffFigure, TOUCHABLE);
+  const plot = createPlot(plotElement, tradeoffFigure, { config: TOUCHABLE, onPoint: choose });
   /** @type {{tradeoff: Tradeoff, state: PageState} | null} */
   let shown = null;
-  let isListening = false;
 
   choices(byTestId("region", element), "region", REGIONS);
   choices(byTestId("statistic", element), "statistic", STATISTICS);
@@ -62,15 +61,6 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
     }
   }
   const endThemeChanges = onThemeChange(drawLegend);
-
-  /** Plotly's own events exist once it has drawn. */
-  function listen() {
-    const graph = /** @type {any} */ (plotElement);
-    if (graph.on && !isListening) {
-      isListening = true;
-      graph.on("plotly_click", (/** @type {any} */ event) => choose(event.points[0]?.customdata));
-    }
-  }
 
   /** @param {Row | undefined} row */
   function choose(row) {
@@ -101,7 +91,6 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
         statistic: /** @type {any} */ (`error_${state.statistic}`),
         chosen: isChosen(state.accuracy),
       });
-      listen();
       if (isNew) {
         drawLegend();
         byTestId("tradeoff-source", element).textContent =

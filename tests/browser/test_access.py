@@ -22,6 +22,7 @@ RULES = [
 # Every state whose parts are not on the first view.
 STATES = {
     "first": "/",
+    "speed and accuracy": "/?scene=accuracy&method=timestep",
     "switches on logarithmic axes": "/?kappa=2000&map=switches&scale=log",
     "no such address": "/?kappa=spring",
 }
@@ -50,7 +51,11 @@ FOCUSED = """() => {
 
 
 @pytest.mark.parametrize(
-    "state", [s if s == "first" else pytest.param(s, marks=pytest.mark.verify) for s in STATES]
+    "state",
+    [
+        s if s in {"first", "speed and accuracy"} else pytest.param(s, marks=pytest.mark.verify)
+        for s in STATES
+    ],
 )
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 @pytest.mark.parametrize("width", [390, 820, 1440])

@@ -46,6 +46,7 @@ KEYS = [
 ]
 SIZES = [(320, 568), (390, 844), (568, 320), (820, 1180), (1440, 900), (1920, 1080), (3840, 2160)]
 OPTIONS = ["map", "scale", "embed", "scene", "theme", "tolerance", "method", "__proto__", "x"]
+OPTIONS += ["steps", "rtol", "integrator", "region", "statistic", "wanted_error"]
 
 # What a browser says of a request that was cut off, or of WebGL without a graphics card, is no
 # fault of the page.

@@ -18,6 +18,11 @@ export const THEME = {
   normalForce: "normal",
   tangentialForce: "tangential",
   velocity: "velocity",
+  methodTable: "table",
+  methodSteps: "steps",
+  methodEuler: "euler",
+  methodOde: "ode",
+  methodPeer: "peer",
 };
 
 export const SIZE = { width: 600, height: 400 };

@@ -36,6 +36,7 @@ for (const [name, token] of Object.entries(schemes)) {
       "--tangential-force",
       "--normal-force",
       "--velocity",
+      ...Object.keys(token).filter((key) => key.startsWith("--method-")),
       "--rule-strong",
       "--focus",
     ]) {

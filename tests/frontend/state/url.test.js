@@ -1,12 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
 import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
 const USUAL = {
   collision: INITIAL_COLLISION,
+  accuracy: USUAL_ACCURACY,
   map: "epsilon_t",
   scale: "linear",
   map_x: "kappa",
@@ -16,6 +18,9 @@ const USUAL = {
   scene: "explorer",
   theme: "system",
   embed: "none",
+  region: "figure4",
+  statistic: "p95",
+  wanted_error: "1e-3",
 };
 
 test("readAddress gives back exactly the state that writeAddress wrote", () => {
@@ -33,6 +38,16 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       scene: "explorer",
       theme: ["system", "light", "dark"][i % 3],
       embed: ["none", "force", "map"][(i >> 1) % 3],
+      accuracy: {
+        method: METHODS[i % METHODS.length].id,
+        tolerance: 10 ** -(1 + (i % 12)),
+        steps: 4 + i,
+        integrator: INTEGRATORS[i % 3].id,
+        rtol: 10 ** -(1 + (i % 12)),
+      },
+      region: ["figure4", "solids"][i % 2],
+      statistic: ["p95", "median", "max"][(i >> 1) % 3],
+      wanted_error: ["1e-3", "1e-5"][i % 2],
     };
     assert.deepEqual(readAddress(writeAddress(state)), { state, problems: [] });
   }
@@ -60,6 +75,18 @@ test("readAddress replaces nonsense by the usual value and names each piece of i
   ]);
 });
 
+test("readAddress judges the numbers of the methods by their own ranges", () => {
+  const { state, problems } = readAddress("?steps=3&rtol=1e-3&tolerance=2&method=magic");
+  assert.deepEqual(state.accuracy, { ...USUAL_ACCURACY, rtol: 1e-3 });
+  assert.equal(problems.length, 3);
+});
+
+test("readAddress brings the scene of a panel that stands alone", () => {
+  assert.equal(readAddress("?embed=steps").state.scene, "accuracy");
+  assert.equal(readAddress("?embed=map&scene=accuracy").state.scene, "explorer");
+  assert.equal(readAddress("?embed=result&scene=accuracy").state.scene, "accuracy");
+});
+
 test("readAddress repeats only the beginning of a very long piece of nonsense", () => {
   const [problem] = readAddress(`?kappa=${"x".repeat(10_000)}`).problems;
   assert.ok(problem.length < 100);
@@ -67,6 +94,6 @@ test("readAddress repeats only the beginning of a very long piece of nonsense", 
 
 test("writeAddress leaves out what is usual of the page, and holds what is not", () => {
   const usual = readAddress("").state;
-  assert.doesNotMatch(writeAddress(usual), /scene|theme|embed/);
+  assert.doesNotMatch(writeAddress(usual), /scene|theme|embed|method|region/);
   assert.match(writeAddress({ ...usual, theme: "dark", embed: "map" }), /&theme=dark&embed=map$/);
 });

@@ -1,0 +1,122 @@
+"""The scene of speed and accuracy shows what the API answers, and its points are controls."""
+
+import numpy as np
+import pytest
+from explorer import ask, collision_of, eventually, settle, text, trace_of
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+
+STEPS = "/?scene=accuracy&method=timestep&steps=100&kappa=20"
+
+
+def test_points_of_the_tradeoff_are_those_measured(page: Page, server: str):
+    page.goto("/?scene=accuracy&region=solids&statistic=median")
+    stored = ask(server, "tradeoff", scene="solids")["rows"]
+
+    def points_agree() -> None:
+        curves = trace_of(page, "tradeoff")[:-1]
+        drawn = {
+            (round(x, 9), round(y, 9)) for c in curves for x, y in zip(c["x"], c["y"], strict=True)
+        }
+        steps = [r for r in stored if r["options"].get("integrator") == "velocity_verlet"]
+        assert steps
+        for row in steps:
+            x, y = np.log10([row["microseconds_per_collision"], row["error_median"]])
+            assert (round(float(x), 9), round(float(y), 9)) in drawn
+
+    eventually(points_agree, page)
+
+
+def test_a_click_on_a_point_chooses_its_method(page: Page, server: str):
+    page.goto("/?scene=accuracy")
+    point = page.get_by_test_id("tradeoff").locator(".scatterlayer .trace path.point")
+    expect(point.first).to_be_attached()
+    box = point.nth(8).bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=3)
+    page.wait_for_timeout(200)
+    page.mouse.down()
+    page.mouse.up()
+    expect(page.get_by_test_id("method")).to_have_value("timestep")
+    settle(page, server)
+
+
+def test_the_map_of_the_error_is_that_of_the_api(page: Page, server: str):
+    page.goto(STEPS)
+    settle(page, server)
+
+    def cells_agree() -> None:
+        cells = page.get_by_test_id("error-map").evaluate(
+            "plot => plot.data?.[0].z.map((row) => [...row]) ?? []"
+        )
+        assert cells
+        answer = ask(
+            server,
+            "map",
+            mu_over_alpha=1.4,
+            kappa_count=len(cells[0]),
+            gt_over_gn_count=len(cells),
+            method="timestep",
+            steps=100,
+            quantities="error",
+        )
+        wanted = np.log10(np.maximum(np.abs(answer["error"]), 1e-8))
+        np.testing.assert_allclose(np.array(cells), wanted, atol=1e-9)
+
+    eventually(cells_agree, page)
+
+
+def test_steps_lie_over_the_exact_force(page: Page, server: str):
+    page.goto(STEPS)
+    settle(page, server)
+    answer = ask(server, "trace", **collision_of(page), method="timestep", steps=100)
+
+    def curves_agree() -> None:
+        curves = [curve["y"] for curve in trace_of(page, "overlay")]
+        assert answer["method_tangential_force_over_mu"] in curves
+
+    eventually(curves_agree, page)
+    page.get_by_test_id("integrator").select_option("forward_euler")
+    expect(page.get_by_test_id("overlay-steps")).to_have_text("In 100 steps of")
+    eventually(lambda: expect(page.get_by_test_id("provenance")).to_contain_text("timestep"), page)
+    assert "integrator=forward_euler" in page.url
+
+
+def test_the_calculator_tells_what_the_api_tells(page: Page, server: str):
+    page.goto("/?scene=accuracy&wanted_error=1e-2&region=solids")
+    settle(page, server)
+    here = ask(server, "steps", error=1e-2, **collision_of(page))["needed"]["velocity_verlet"]
+    there = ask(server, "steps", error=1e-2, region="solids")["needed"]["velocity_verlet"]
+    wanted = [here["p95"], here["worst"], there["p95"], there["worst"]]
+
+    def numbers_agree() -> None:
+        row = page.get_by_test_id("steps").locator("tbody tr").first
+        shown = [cell.replace("\u202f", "") for cell in row.locator("td").all_inner_texts()]
+        assert shown == [str(steps) for steps in wanted]
+
+    eventually(numbers_agree, page)
+
+
+def test_the_slider_from_fast_to_exact_says_what_each_place_costs(page: Page, server: str):
+    page.goto("/?kappa=20")
+    settle(page, server)
+    page.get_by_test_id("method").select_option("timestep")
+    slider = page.get_by_test_id("accuracy-slider")
+    bounds = []
+    for notch in ("0", "9", "17"):
+        slider.fill(notch)
+        settle(page, server)
+        said = text(page, "provenance")
+        assert said.startswith("timestep ±")
+        assert said.endswith("s")
+        bounds.append(said)
+    assert len(set(bounds)) == 3
+
+
+def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(
+    page: Page, server: str
+):
+    page.goto("/?kappa=5000&method=table")
+    settle(page, server)
+    expect(page.get_by_test_id("accuracy-refusal")).to_contain_text("κ from 0.01 to 1000")
+    assert text(page, "provenance").startswith("exact")
