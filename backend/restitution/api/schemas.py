@@ -19,7 +19,7 @@ from restitution.studies import batch, collision, trace
 from restitution.studies.axis import Axis
 from restitution.studies.parameters import CollisionParameters
 
-Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff"]
+Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "timestep", "ode"]
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Scale = Literal["linear", "log"]
 
@@ -97,7 +97,15 @@ class Request(BaseModel):
     @property
     def options(self) -> Options:
         """What the methods take of it."""
-        return Options(self.method, self.tolerance, self.floor)
+        return Options(
+            method=self.method,
+            tolerance=self.tolerance,
+            floor=self.floor,
+            steps=self.steps,
+            integrator=self.integrator,
+            phase=self.phase,
+            rtol=self.rtol,
+        )
 
 
 class FormQuery(BaseModel):
