@@ -239,6 +239,25 @@ class MapQuery(Formed):
         )
 
 
+SceneName = Literal["figure4", "stiff", "solids", "extremes"]
+SCENE_NAMES: tuple[SceneName, ...] = get_args(SceneName)
+SceneChoice = Annotated[SceneName, stated("scene", f"one of {', '.join(SCENE_NAMES)}")]
+
+
+class TradeoffQuery(FormQuery):
+    """``GET /tradeoff``."""
+
+    scene: SceneChoice = "figure4"
+
+
+class RunQuery(BaseModel):
+    """``POST /tradeoff/runs``."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    scene: SceneChoice = "figure4"
+
+
 class NoQuery(BaseModel):
     """A call without parameters."""
 
