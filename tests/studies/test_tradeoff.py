@@ -10,14 +10,13 @@ from restitution.mechanics.collision import collide
 from restitution.methods import planner
 from restitution.studies import candidates as every
 from restitution.studies.candidates import Candidate, candidates
+from restitution.studies.reference import KNOWN, reference
 from restitution.studies.scenes import SCENES
 from restitution.studies.tradeoff import (
-    KNOWN,
     Row,
     load_tradeoff,
     machine,
     measure,
-    reference,
     store_tradeoff,
     study_tradeoff,
 )

@@ -250,6 +250,25 @@ class TradeoffQuery(FormQuery):
     scene: SceneChoice = "figure4"
 
 
+class StepsQuery(FormQuery):
+    """``GET /steps``: a collision, or else a region."""
+
+    error: Annotated[
+        Finite, stated("error", "from 1e-12 to 1", "largest error wanted"), Field(ge=1e-12, le=1)
+    ] = 1e-3
+    region: Annotated[SceneName, stated("region", f"one of {', '.join(SCENE_NAMES)}")] | None = None
+    kappa: Kappa | None = None
+    mu_over_alpha: MuOverAlpha | None = None
+    gt_over_gn: GtOverGn | None = None
+
+    @property
+    def parameters(self) -> CollisionParameters | None:
+        """The collision, None for a region."""
+        if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
+            return None
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+
+
 class RunQuery(BaseModel):
     """``POST /tradeoff/runs``."""
 

@@ -6,7 +6,7 @@ import platform
 import statistics
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -18,15 +18,15 @@ import numpy.typing as npt
 from restitution.errors import RestitutionError
 from restitution.mechanics.compiled import MODEL_VERSION
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods import planner
-from restitution.methods.answer import Options
 from restitution.studies.candidates import COLLISIONS, Candidate, Counts, Knobs, Run, candidates
+from restitution.studies.reference import Reference, reference
 from restitution.studies.scenes import SCENES
+from restitution.studies.steps import study_steps
 
 REPEATS = 5
 
-KNOWN = 1e-9
-"""Error bound up to which the reference counts as known."""
+WANTED_ERRORS = (1e-2, 1e-3, 1e-4)
+"""For which the steps per contact are looked up."""
 
 
 @dataclass(frozen=True)
@@ -67,46 +67,23 @@ class Row:
 
 @dataclass(frozen=True)
 class Measurement:
-    """What was measured on a scene, when and on which machine."""
+    """What was measured on a scene, when and on which machine.
+
+    Attributes
+    ----------
+    steps : list of dict
+        For some wanted errors, as of ``GET /steps``: `error`, `needed`, `rule`, and of the latter
+        `rule_steps`.
+    rows : list of Row
+        Methods with their knobs.
+    """
 
     scene: str
     measured_at: str
     machine: str
     model_version: str
+    steps: list[dict[str, Any]]
     rows: list[Row] = field(default_factory=list)
-
-
-@dataclass(frozen=True)
-class Reference:
-    """Collisions of a scene whose exact result is known to `KNOWN`; arrays (N,)."""
-
-    kappa: FloatArray
-    psi: FloatArray
-    epsilon_t: FloatArray
-    error_bound: FloatArray
-    switches: npt.NDArray[np.int32]
-    switches_certain: npt.NDArray[np.bool_]
-
-    def at(self, which: slice | npt.NDArray[np.intp]) -> "Reference":
-        """Return some of them."""
-        return Reference(*(getattr(self, part.name)[which] for part in fields(self)))
-
-
-def reference(scene: str, count: int = COLLISIONS) -> Reference:
-    """Return the first `count` collisions of a scene whose result is known."""
-    kappa, psi = SCENES[scene].sample(3 * count)
-    answer = planner.solve(kappa, psi, ("epsilon_t", "switches"), Options())
-    assert answer.switches is not None
-    assert answer.switches_certain is not None
-    known = np.flatnonzero(answer.error_bound <= KNOWN)[:count]
-    return Reference(
-        kappa[known],
-        psi[known],
-        answer.epsilon_t[known],
-        answer.error_bound[known],
-        answer.switches[known],
-        answer.switches_certain[known],
-    )
 
 
 @dataclass(frozen=True)
@@ -215,14 +192,23 @@ def study_tradeoff(
         Those to measure; all of `candidates` by default.
     """
     every = candidates() if chosen is None else chosen
-    truth = reference(scene)
+    truth = reference(scene, COLLISIONS)
     measurement = Measurement(
-        scene, datetime.now(UTC).isoformat(timespec="seconds"), machine(), MODEL_VERSION
+        scene,
+        datetime.now(UTC).isoformat(timespec="seconds"),
+        machine(),
+        MODEL_VERSION,
+        [_steps(scene, error) for error in WANTED_ERRORS],
     )
     yield 0.0, measurement
     for done, candidate in enumerate(every, 1):
         measurement.rows.append(measure(candidate, truth))
         yield done / len(every), measurement
+
+
+def _steps(scene: str, error: float) -> dict[str, Any]:
+    study = asdict(study_steps(error, scene))
+    return {"error": error} | {part: study[part] for part in ("needed", "rule", "rule_steps")}
 
 
 def machine() -> str:

@@ -1,6 +1,6 @@
-"""Speed against accuracy: the stored measurement, and measuring anew."""
+"""Speed against accuracy: the stored measurement, measuring anew, the steps that an error takes."""
 
-from dataclasses import asdict
+from dataclasses import asdict, fields
 from typing import Annotated, Any
 
 import numpy as np
@@ -11,8 +11,11 @@ from starlette.exceptions import HTTPException
 from restitution.api.errors import refuse_unsuited
 from restitution.api.forms import PROGRAM_VERSION, Payload, Result, respond
 from restitution.api.runs import Run, Runs
-from restitution.api.schemas import NoQuery, RunQuery, TradeoffQuery
+from restitution.api.schemas import NoQuery, RunQuery, StepsQuery, TradeoffQuery
+from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
 from restitution.studies.tradeoff import load_tradeoff
+
+SPREAD = tuple(part.name for part in fields(Spread))
 
 router = APIRouter(prefix="/api/v1", tags=["tradeoff"])
 
@@ -38,6 +41,38 @@ def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Resp
         return Result(stored, lambda: columns, lambda: {**stored, **columns, "rows": len(columns)})
 
     return respond(request, query, compute, f"{PROGRAM_VERSION} {stored['measured_at']}")
+
+
+@router.get("/steps")
+def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
+    """Return how many time steps per contact a wanted error takes, by each integrator."""
+
+    def compute() -> Result:
+        where = query.parameters
+        study = study_steps(query.error, where or query.region or "figure4")
+        psi = where.psi if where else np.inf
+        fewest, most = study.rule_steps
+        too_many = f"not tried beyond {MOST_STEPS:,} steps" if most > MOST_STEPS else None
+        names, rungs, spreads = zip(*study.ladder, strict=True)
+        ladder = {
+            "integrator": np.array(names),
+            "steps": np.array(rungs, np.int32),
+            **{part: np.array([vars(spread)[part] for spread in spreads]) for part in SPREAD},
+        }
+        payload = {
+            "parameters": query.model_dump(exclude={"format", "encoding"})
+            | {"psi": psi if np.isfinite(psi) else None},
+            "collisions": study.collisions,
+            "phases": study.phases,
+            "stability_limit": study.stability_limit,
+            "needed": {name: asdict(needed) for name, needed in study.needed.items()},
+            "rule": {"factor": RULE, "steps_min": fewest, "steps_max": most, "reason": too_many}
+            | {name: asdict(spread) for name, spread in study.rule.items()},
+            **ladder,
+        }
+        return Result(payload, lambda: ladder)
+
+    return respond(request, query, compute)
 
 
 def _runs(request: Request) -> Runs:
