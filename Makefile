@@ -44,8 +44,9 @@ format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
 bench: $(DEVELOPMENT) ## costs and times, as text and JSON
 	@$(BIN)/python tests/bench/run.py
 
-tradeoff: $(RUNTIME) ## speed against accuracy of every method, into the package and docs/speed-and-accuracy.md
+tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-and-accuracy.md
 	@$(BIN)/restitution tradeoff --report docs/speed-and-accuracy.md
+	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
 	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0

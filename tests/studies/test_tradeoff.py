@@ -11,12 +11,14 @@ from restitution.methods import planner
 from restitution.studies import candidates as every
 from restitution.studies.candidates import Candidate, candidates
 from restitution.studies.reference import KNOWN, reference
+from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
 from restitution.studies.tradeoff import (
     Row,
     load_tradeoff,
     machine,
     measure,
+    store_rows,
     store_tradeoff,
     study_tradeoff,
 )
@@ -135,6 +137,43 @@ def test_storing_a_scene_leaves_the_others(tmp_path):
     stored = load_tradeoff(target)
     assert list(stored) == ["figure4", "solids"]
     assert stored["solids"]["rows"][0]["method"] == "coulomb"
+
+
+def test_rows_of_another_program_join_and_the_report_says_whether_one_took_part(tmp_path):
+    target = tmp_path / "tradeoff.json"
+    few = [by("coulomb"), by("timestep", integrator="velocity_verlet", steps=50)]
+    *_, (_, measurement) = study_tradeoff("solids", few)
+    store_tradeoff(measurement, target)
+    assert "No other program took part" in tradeoff_report(load_tradeoff(target))
+    for steps in (20, 50):
+        store_rows("solids", [Row("lammps", {"steps": steps}, 1, 1.0)], target)
+    rows = load_tradeoff(target)["solids"]["rows"]
+    assert [row["method"] for row in rows] == ["coulomb", "timestep", "lammps"]
+    assert rows[-1]["options"] == {"steps": 50}
+    report = tradeoff_report(load_tradeoff(target))
+    assert "No other program took part" not in report
+    assert "| `lammps` | steps 50 | – | – | – | – | – | – | 100 % |" in report
+
+
+def test_report_finds_the_cheapest_route_that_keeps_the_error():
+    def row(method, microseconds, error, unanswered=0.0, **options):
+        figures = (microseconds, error / 10, error / 2, error, 0.0, None)
+        return vars(Row(method, options, 10, unanswered, *figures))
+
+    rows = [
+        row("coulomb", 0.001, 0.5),
+        row("exact", 0.5, 1e-14),
+        row("quick", 0.1, 9e-4),
+        row("choosy", 0.01, 1e-9, unanswered=0.1),
+        row("timestep", 0.6, 0.2, integrator="velocity_verlet", steps=50),
+        row("timestep", 9.0, 5e-4, integrator="velocity_verlet", steps=1000),
+        row("timestep", 90.0, 5e-5, integrator="velocity_verlet", steps=5000),
+    ]
+    stored = load_tradeoff()["solids"] | {"rows": rows}
+    line = next(x for x in tradeoff_report({"solids": stored}).splitlines() if "| solids |" in x)
+    assert line == "| solids | `quick` | 0.1 | 0.0009 | 0.6 | 0.2 | 6 | 220 | 1,000 | 9 |"
+    only_coarse = {"solids": stored | {"rows": [rows[0], rows[4]]}}
+    assert "| solids | none | – |" in tradeoff_report(only_coarse)
 
 
 def test_machine_is_described_without_a_name_or_a_place():

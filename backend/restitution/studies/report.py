@@ -43,6 +43,17 @@ COLUMNS = (
     "refused",
 )
 
+PEER = """
+`lammps` is another program, LAMMPS with `pair_style granular`, on the same collisions: 400 pairs at
+once, one thread, contacts that begin anywhere within a step (`tests/bench/peers.py`). Its steps are
+those of `timestep` with velocity Verlet, with which it agrees to 3e-6 from the same instant on; its
+time is that of a whole code, with neighbour lists, three dimensions and a history for each contact.
+"""
+
+NO_PEER = """
+No other program took part: without the extra `peers` (LAMMPS) only our own methods are measured.
+"""
+
 ROUTES = """\
 ## The cheapest route to ε_t within 1e-3
 
@@ -109,7 +120,7 @@ def _count(value: float) -> str:
 
 
 def _share(value: float | None) -> str:
-    return "–" if value is None else "0" if value == 0.0 else f"{100 * value:.2g} %"
+    return "–" if value is None else "0" if value == 0.0 else f"{_number(100.0 * value)} %"
 
 
 def _options(row: dict[str, Any]) -> str:
@@ -169,7 +180,9 @@ def _rule(scene: str, steps: dict[str, Any]) -> str:
 
 def tradeoff_report(stored: dict[str, Any]) -> str:
     """Return `stored` (scene → `Measurement` as a dictionary) as Markdown."""
-    text = INTRODUCTION + "\n" + ROUTES + _header(ROUTE_COLUMNS)
+    methods = {row["method"] for kept in stored.values() for row in kept["rows"]}
+    text = INTRODUCTION + (PEER if "lammps" in methods else NO_PEER)
+    text += "\n" + ROUTES + _header(ROUTE_COLUMNS)
     text += "".join(_route(scene, kept["rows"]) for scene, kept in stored.items())
     text += STEPS + _header(STEPS_COLUMNS)
     text += "".join(_steps(scene, s) for scene, kept in stored.items() for s in kept["steps"])

@@ -238,5 +238,17 @@ def store_tradeoff(measurement: Measurement, target: Path = STORED) -> None:
     """Write a measurement over the last one of its scene; others stay as they are."""
     kept = load_tradeoff(target) if target.exists() else {}
     kept[measurement.scene] = asdict(measurement)
-    ordered = {scene: kept[scene] for scene in SCENES if scene in kept}
-    target.write_text(json.dumps(ordered, indent=1) + "\n")
+    _write({scene: kept[scene] for scene in SCENES if scene in kept}, target)
+
+
+def _write(stored: dict[str, Any], target: Path) -> None:
+    target.write_text(json.dumps(stored, indent=1) + "\n")
+
+
+def store_rows(scene: str, rows: Sequence[Row], target: Path = STORED) -> None:
+    """Write rows of a scene beside those of other methods, over the last ones of their own."""
+    kept = load_tradeoff(target)
+    methods = {row.method for row in rows}
+    others = [row for row in kept[scene]["rows"] if row["method"] not in methods]
+    kept[scene]["rows"] = others + [asdict(row) for row in rows]
+    _write(kept, target)
