@@ -113,3 +113,27 @@ def test_extremes_are_answered_within_the_bound_or_refused(service, path, kappa,
         service.problem(response, 413)
     else:
         assert service.read(response)["error_bound"] < 1e-3
+
+
+def test_many_extremes_are_answered_at_once_or_refused(service):
+    kappa, psi = zip(*itertools.product(EXTREMES, (0.0, *EXTREMES)), strict=True)
+    body = {"kappa": kappa, "mu_over_alpha": 1, "gt_over_gn": psi}
+    exact = service.collisions(body)
+    for integrator in INTEGRATORS:
+        steps = {"method": "timestep", "integrator": integrator, "steps": 33}
+        answer = service.collisions(body | steps)
+        assert None not in answer["switches"]
+        for ours, bound, truth, own in zip(
+            *(answer[key] for key in ("epsilon_t", "error_bound")),
+            *(exact[key] for key in ("epsilon_t", "error_bound")),
+            strict=True,
+        ):
+            assert abs(ours - truth) <= (bound + own) * (1 + 1e-12)
+    service.problem(service.post(body | {"method": "ode"}), 413)
+
+
+def test_a_million_collisions_in_fifty_steps_are_within_the_budget(service):
+    body = {"kappa": [18.0] * 1_000_000, "mu_over_alpha": 1, "gt_over_gn": 2.5}
+    answer = service.collisions(body | {"method": "timestep", "quantities": ["epsilon_t"]})
+    assert set(answer["epsilon_t"]) == {answer["epsilon_t"][0]}
+    service.problem(service.post(body | {"method": "timestep", "steps": 5000}), 413)

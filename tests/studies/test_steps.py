@@ -78,6 +78,12 @@ def test_rule_of_fifty_keeps_95_percent_of_figure_4_within_a_thousandth():
     assert study_steps(1e-3, "solids").rule["velocity_verlet"].error_max > 1e-2
 
 
+def test_worst_errors_do_not_go_with_the_stiffness():
+    # κ from 0.1 to 10⁶, and yet the same 700 steps or so
+    for region in ("figure4", "stiff", "solids"):
+        assert 500 < study_steps(1e-3, region).needed["velocity_verlet"].worst <= 1024, region
+
+
 def test_rule_is_not_tried_beyond_the_steps_of_a_request():
     study = study_steps(1e-3, CollisionParameters(1e12, 1.0, 1.0))
     assert study.rule_steps == (5e7, 5e7)
