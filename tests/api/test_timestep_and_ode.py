@@ -78,6 +78,7 @@ def test_trace_of_other_methods_has_no_steps(service):
 def test_trace_of_many_steps_is_thinned_out(service):
     answer = service.answer("/trace", **COLLISION, method="timestep", steps=1_000_000, samples=2)
     assert 10_000 < len(answer["method_time"]) <= 20_000
+    assert answer["method_time"][-1] == pytest.approx(answer["contact_duration"], abs=4e-6)
     final = answer["method_tangential_velocity"][-1] / 0.5
     assert final == pytest.approx(answer["epsilon_t"], abs=1e-9)
 

@@ -140,6 +140,7 @@ def test_result_is_finite_over_all_doubles(integrator, steps, phase):
     psi[10:14] = 0.0, np.inf, 5e-324, 2.0
     stepped = step_collisions(kappa, psi, steps, integrator, phase)
     assert np.all(np.isfinite(stepped.epsilon_t))
+    assert np.all(stepped.switches % 2 == 0)
     # what the caps can take or give in all, with a generous 8 for the steps that overshoot
     assert np.all(np.abs(stepped.epsilon_t - 1.0) <= 8.0 / np.maximum(psi, 1e-100))
 
