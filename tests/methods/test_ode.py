@@ -68,6 +68,17 @@ def test_extremes_are_answered_within_the_bound_or_refused(rtol):
     assert min(refused) > 1e4
 
 
+# sticking that begins where the time to its end, or to that of the contact, is lost in rounding
+@pytest.mark.parametrize(
+    ("kappa", "psi", "rtol"),
+    [(4e5, 1e-8, 1e-9), (15018.804310118541, 2.2487220480325925e-11, 4.437670133506e-06)],
+)
+def test_solver_does_not_chatter_where_times_are_lost_in_rounding(kappa, psi, rtol):
+    result = ode.integrate(kappa, psi, rtol, most_evaluations=60_000)
+    # some thousand steps; the last switches are beyond the resolution of time
+    assert result.epsilon_t == pytest.approx(collide(kappa, psi).epsilon_t, abs=1e3 * rtol)
+
+
 def test_cost_is_refused_before_any_work_with_cost_and_limit():
     with pytest.raises(CostError, match=r"about .* steps here.*limits are 60,000 and 10,000"):
         solve(1e9, 1.0)

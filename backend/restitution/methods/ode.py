@@ -30,6 +30,9 @@ twelve; the largest number seen is 7 per expected step."""
 LONGEST_STEP = 0.2
 """Of the solver, scaled by t_scale."""
 
+RESOLUTION = 1e-14
+"""Compression at which a contact is over: less than the rounding of a time times its rate."""
+
 UNCOUNTED = -1
 """Stands for the number of switches where none are located."""
 
@@ -56,8 +59,9 @@ class Integrated(NamedTuple):
 class _Contact:
     """The equations of one contact, and how often they were evaluated; states x, ẋ, y, w."""
 
-    def __init__(self, kappa: float, psi: float, most_evaluations: float) -> None:
+    def __init__(self, kappa: float, psi: float, rtol: float, most_evaluations: float) -> None:
         self.kappa = kappa
+        self.noise = max(1e-3 * rtol, 1e-14)
         self.friction = 1.0 / max(psi, WEAKEST)
         self.most_evaluations = most_evaluations
         self.evaluations = 0
@@ -119,9 +123,9 @@ class _Contact:
 
     def slips(self, time: float, state: State) -> float:
         """Return what falls through 0 where sticking ends."""
-        # the gap has a double zero where sticking begins, and rounding noise right after it
+        # the gap has a double zero where sticking begins, and noise right after it
         elapsed = time - self.begin
-        gap = self.cap(state) - abs(state[2])
+        gap = (1.0 + self.noise) * self.cap(state) - abs(state[2])
         return gap / elapsed**2 if elapsed > 0.0 else 1.0
 
     def leaves(self, _: float, state: State) -> float:
@@ -166,7 +170,7 @@ def integrate(
     """
     from scipy.integrate import solve_ivp  # noqa: PLC0415 - a third of a second at each start
 
-    contact = _Contact(kappa, psi, most_evaluations)
+    contact = _Contact(kappa, psi, rtol, most_evaluations)
     leave = _terminal(contact.leaves)
     longest = min(LONGEST_STEP, 0.5 / math.sqrt(kappa))
     state: FloatArray = np.array([0.0, 1.0, 0.0, 1.0])
@@ -193,7 +197,8 @@ def integrate(
         if solution.status < 0:
             raise CostError(f"the general solver stopped: {solution.message.lower()}")
         time, state = float(solution.t[-1]), solution.y[:, -1]
-        if spring != "events" or solution.status == 0 or solution.t_events[0].size:
+        over = state[1] < 0.0 and state[0] <= RESOLUTION
+        if spring != "events" or solution.status == 0 or solution.t_events[0].size or over:
             break
         slides, switched = contact.change(time, state, slides=slides)
         switches += switched
