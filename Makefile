@@ -18,7 +18,7 @@ LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-versio
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench verify screenshots lock clean
+.PHONY: help serve test check format bench tradeoff verify screenshots lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -43,6 +43,10 @@ format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
 
 bench: $(DEVELOPMENT) ## costs and times, as text and JSON
 	@$(BIN)/python tests/bench/run.py
+
+tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-and-accuracy.md
+	@$(BIN)/restitution tradeoff --report docs/speed-and-accuracy.md
+	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
 	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0

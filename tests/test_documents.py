@@ -8,6 +8,9 @@ from pathlib import Path
 
 import pytest
 
+from restitution.studies.report import tradeoff_report
+from restitution.studies.tradeoff import load_tradeoff
+
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -48,13 +51,19 @@ def test_calls_of_the_readme_are_those_of_the_service(server):
     with urllib.request.urlopen(f"{server}/openapi.json") as answer:
         paths = {p.removeprefix("/api/v1") for p in json.load(answer)["paths"] if "/api/" in p}
     (sentence,) = re.findall(r"^Calls: (.*?)\. Each", README, re.MULTILINE | re.DOTALL)
-    assert set(re.findall(r"`(/\w+)`", sentence)) == paths
+    assert set(re.findall(r"`(/[\w/{}]+)`", sentence)) == paths
 
 
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda p: p.name)
 def test_links_within_the_project_lead_somewhere(document):
     for target in re.findall(r"\]\((?!https?://)([^)#]+)", document.read_text()):
         assert (document.parent / target).exists(), target
+
+
+def test_report_on_speed_and_accuracy_is_that_of_the_stored_measurement():
+    # as `make tradeoff` writes it
+    report = (ROOT / "docs" / "speed-and-accuracy.md").read_text()
+    assert report == tradeoff_report(load_tradeoff())
 
 
 def test_no_document_names_a_place_on_a_machine():

@@ -1,4 +1,6 @@
-"""The command line: serve the page, or compile the kernels ahead of time."""
+"""The command line: serve the page, compile the kernels ahead of time, measure the methods."""
+
+from pathlib import Path
 
 import click
 import uvicorn
@@ -6,6 +8,9 @@ import uvicorn
 from restitution.api.app import create_app
 from restitution.api.page import compress_plotly
 from restitution.api.warm import warm as warm_kernels
+from restitution.studies.report import tradeoff_report
+from restitution.studies.scenes import SCENES
+from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
 
 
 @click.group()
@@ -27,3 +32,30 @@ def warm() -> None:
     """Compile the kernels and compress plotly.js into the cache."""
     warm_kernels()
     compress_plotly()
+
+
+@main.command()
+@click.option(
+    "--scene", "scenes", type=click.Choice(list(SCENES)), multiple=True, help="All by default."
+)
+@click.option(
+    "--out",
+    type=click.Path(dir_okay=False, path_type=Path),
+    default=STORED,
+    help="JSON to renew; that of the package by default.",
+)
+@click.option(
+    "--report",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Markdown to write about all that it holds then.",
+)
+def tradeoff(scenes: tuple[str, ...], out: Path, report: Path | None) -> None:
+    """Measure cost and error of every method on the collisions of a scene."""
+    for scene in scenes or SCENES:
+        with click.progressbar(length=1000, label=f"{scene:10}") as bar:
+            for progress, measurement in study_tradeoff(scene):
+                bar.update(round(1000 * progress) - bar.pos)
+                finished = measurement
+        store_tradeoff(finished, out)
+    if report:
+        report.write_text(tradeoff_report(load_tradeoff(out)))

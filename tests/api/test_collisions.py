@@ -126,7 +126,7 @@ def test_exact_by_name_is_refused_beyond_its_budget_with_cost_and_limit(service)
         ({"quantities": ["epsilon_t", "reversals"]}, {"quantities[1]": "reversals"}),
         ({"quantities": []}, {"quantities": "[]"}),
         ({"quantities": "epsilon_t"}, {"quantities": "epsilon_t"}),
-        ({"method": "ode"}, {"method": "ode"}),
+        ({"method": "guess"}, {"method": "guess"}),
         ({"method": None}, {"method": None}),
         ({"tolerance": "0.1"}, {"tolerance": "0.1"}),
         ({"tolerance": True}, {"tolerance": True}),

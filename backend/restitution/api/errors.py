@@ -11,7 +11,7 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 
-from restitution.api.ranges import cut_misfits, map_misfits
+from restitution.api.ranges import cut_misfits, map_misfits, steps_misfits
 from restitution.api.schemas import REQUIREMENTS
 from restitution.errors import CostError, ParameterError
 
@@ -23,7 +23,7 @@ MOST_ERRORS = 100
 
 UNKNOWN = "left out: this call has no such parameter"
 
-MISFITS = {"cut": cut_misfits, "map": map_misfits}
+MISFITS = {"cut": cut_misfits, "map": map_misfits, "steps": steps_misfits}
 """Last part of an address → what its parameters must be beside each other."""
 
 

@@ -15,7 +15,7 @@ import orjson
 from fastapi import Request, Response
 
 from restitution.api.errors import refuse_unsuited
-from restitution.api.schemas import Formed, NoQuery
+from restitution.api.schemas import FormQuery, NoQuery
 from restitution.mechanics.compiled import fingerprint
 from restitution.studies.collision import Energy, Estimates, Sensitivity
 
@@ -31,16 +31,35 @@ Table = Mapping[str, npt.NDArray[Any] | list[Any]]
 
 @dataclasses.dataclass(frozen=True)
 class Result:
-    """What a route found: `payload` as a whole, `table` as rows for CSV (computed if asked)."""
+    """What a route found.
+
+    Attributes
+    ----------
+    payload : dict
+        As a whole.
+    table : callable
+        As rows for CSV, computed if asked.
+    arrays : callable, optional
+        One array per key for NPZ, where the payload has lists of objects.
+    """
 
     payload: Payload
     table: Callable[[], Table]
+    arrays: Callable[[], Payload] | None = None
 
 
-def respond(request: Request, query: Formed | NoQuery, compute: Callable[[], Result]) -> Response:
-    """Return the answer to `query` in its form, or 304 if the client has it already."""
+def respond(
+    request: Request,
+    query: FormQuery | NoQuery,
+    compute: Callable[[], Result],
+    version: str = PROGRAM_VERSION,
+) -> Response:
+    """Return the answer to `query` in its form, or 304 if the client has it already.
+
+    `version` stands for everything else that the answer depends on.
+    """
     refuse_unsuited(request)
-    tag = entity_tag(request.url.path, query)
+    tag = entity_tag(request.url.path, query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
     known = [
         t.strip().removeprefix("W/") for t in request.headers.get("if-none-match", "").split(",")
@@ -54,11 +73,9 @@ def respond(request: Request, query: Formed | NoQuery, compute: Callable[[], Res
     return formed(result, query.format, query.encoding, headers)
 
 
-def entity_tag(path: str, query: Formed | NoQuery) -> str:
+def entity_tag(path: str, query: FormQuery | NoQuery, version: str) -> str:
     """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
-    canonical = orjson.dumps(
-        [PROGRAM_VERSION, path, query.model_dump()], option=orjson.OPT_SORT_KEYS
-    )
+    canonical = orjson.dumps([version, path, query.model_dump()], option=orjson.OPT_SORT_KEYS)
     return f'"{hashlib.sha256(canonical).hexdigest()[:32]}"'
 
 
@@ -70,7 +87,8 @@ def formed(
         case "csv":
             content, kind = as_csv(result.table()), "text/csv; charset=utf-8"
         case "npz":
-            content, kind = as_npz(result.payload), "application/x-npz"
+            arrays = result.arrays() if result.arrays else result.payload
+            content, kind = as_npz(arrays), "application/x-npz"
         case _:
             content, kind = as_json(result.payload, encoding), "application/json"
     return Response(content, 200, dict(headers or {}), kind)

@@ -54,6 +54,18 @@ def cut_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
     yield from CUT[along].misfits(given)
 
 
+COLLISION = ("kappa", "mu_over_alpha", "gt_over_gn")
+
+
+def steps_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+    """Yield what is wrong with the parameters of ``/steps``: a collision, or else a region."""
+    for name in COLLISION:
+        if "region" in given and name in given:
+            yield name, "left out, as `region` is given"
+        elif "region" not in given and name not in given:
+            yield name, "given, or else `region`"
+
+
 def map_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
     """Yield what is wrong with the parameters of ``/map`` beside each other."""
     for axis in MAP:

@@ -19,7 +19,7 @@ from restitution.studies import batch, collision, trace
 from restitution.studies.axis import Axis
 from restitution.studies.parameters import CollisionParameters
 
-Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff"]
+Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "timestep", "ode"]
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Scale = Literal["linear", "log"]
 
@@ -97,7 +97,15 @@ class Request(BaseModel):
     @property
     def options(self) -> Options:
         """What the methods take of it."""
-        return Options(self.method, self.tolerance, self.floor)
+        return Options(
+            method=self.method,
+            tolerance=self.tolerance,
+            floor=self.floor,
+            steps=self.steps,
+            integrator=self.integrator,
+            phase=self.phase,
+            rtol=self.rtol,
+        )
 
 
 class FormQuery(BaseModel):
@@ -229,6 +237,44 @@ class MapQuery(Formed):
                 ends,
             ),
         )
+
+
+SceneName = Literal["figure4", "stiff", "solids", "extremes"]
+SCENE_NAMES: tuple[SceneName, ...] = get_args(SceneName)
+SceneChoice = Annotated[SceneName, stated("scene", f"one of {', '.join(SCENE_NAMES)}")]
+
+
+class TradeoffQuery(FormQuery):
+    """``GET /tradeoff``."""
+
+    scene: SceneChoice = "figure4"
+
+
+class StepsQuery(FormQuery):
+    """``GET /steps``: a collision, or else a region."""
+
+    error: Annotated[
+        Finite, stated("error", "from 1e-12 to 1", "largest error wanted"), Field(ge=1e-12, le=1)
+    ] = 1e-3
+    region: Annotated[SceneName, stated("region", f"one of {', '.join(SCENE_NAMES)}")] | None = None
+    kappa: Kappa | None = None
+    mu_over_alpha: MuOverAlpha | None = None
+    gt_over_gn: GtOverGn | None = None
+
+    @property
+    def parameters(self) -> CollisionParameters | None:
+        """The collision, None for a region."""
+        if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
+            return None
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+
+
+class RunQuery(BaseModel):
+    """``POST /tradeoff/runs``."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    scene: SceneChoice = "figure4"
 
 
 class NoQuery(BaseModel):

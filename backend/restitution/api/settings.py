@@ -12,3 +12,6 @@ class Settings(BaseSettings):
 
     frontend_directory: Path = Path(__file__).parents[3] / "frontend"
     """Folder of the page; that of the checkout unless the package is installed elsewhere."""
+
+    tradeoff_runs: bool = False
+    """Whether anyone may have the methods measured anew: half a minute of a core at a time."""

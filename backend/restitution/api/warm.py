@@ -10,3 +10,4 @@ def warm() -> None:
     """Run one collision through every kernel."""
     study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
     study_batch(18.0, 1.4, 0.4, QUANTITIES, Options("stiff"))
+    study_trace(CollisionParameters(18.0, 1.4, 0.4), Options("timestep"), samples=2)

@@ -77,7 +77,7 @@ class Collision(NamedTuple):
 
 
 @functools.cache
-def _workers() -> ThreadPoolExecutor:
+def workers() -> ThreadPoolExecutor:
     """Return the threads that share large arrays; the kernels hold no interpreter lock."""
     return ThreadPoolExecutor(os.cpu_count())
 
@@ -311,7 +311,7 @@ def collide(
     if kappas.size <= PART:
         fill(0)
     else:
-        list(_workers().map(fill, range(0, kappas.size, PART)))
+        list(workers().map(fill, range(0, kappas.size, PART)))
     shape = kappas.shape
     return Collision(
         epsilon_t.reshape(shape),

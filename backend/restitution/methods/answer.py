@@ -20,11 +20,23 @@ class Options:
         Largest absolute error wanted in ε_t.
     floor : float
         ε₀ of the pragmatic model.
+    steps : int
+        Steps per contact of ``timestep``.
+    integrator : str
+        Of ``timestep``, one of `mechanics.stepping.INTEGRATORS`.
+    phase : float
+        Where in a step of ``timestep`` the contact begins, 0 … 1.
+    rtol : float
+        Relative tolerance of ``ode``.
     """
 
     method: str = "auto"
     tolerance: float = 1e-10
     floor: float = 0.0
+    steps: int = 50
+    integrator: str = "velocity_verlet"
+    phase: float = 0.0
+    rtol: float = 1e-9
 
 
 @dataclass(frozen=True)

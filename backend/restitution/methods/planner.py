@@ -7,7 +7,7 @@ import numpy as np
 from restitution.errors import ParameterError
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods import coulomb, exact, stiff
+from restitution.methods import coulomb, exact, ode, stiff, timestep
 from restitution.methods.answer import Answer, Options
 
 METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
@@ -15,6 +15,8 @@ METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
     "coulomb": coulomb.solve,
     "pragmatic": coulomb.solve,
     "stiff": stiff.solve,
+    "timestep": timestep.solve,
+    "ode": ode.solve,
 }
 
 EPSILON_T_ALONE = frozenset(

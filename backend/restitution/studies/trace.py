@@ -8,9 +8,10 @@ import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
-from restitution.mechanics.collision import expected_switches
+from restitution.mechanics.collision import WEAKEST, expected_switches
 from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray, normal_curves
 from restitution.mechanics.motion import Motion, tangential_curves
+from restitution.mechanics.stepping import stepped_course
 from restitution.methods.answer import Options
 from restitution.studies.collision import CollisionStudy, followed_motion, study_collision
 from restitution.studies.parameters import CollisionParameters
@@ -30,6 +31,9 @@ COLUMNS = (
 MOST_SWITCHES = 20_000
 """A trace with more switches than this has no picture."""
 
+MOST_STEPS = 20_000
+"""Steps of ``timestep`` that are shown: of more, every second, third, … and the last."""
+
 
 @dataclass(frozen=True)
 class TraceStudy:
@@ -43,11 +47,16 @@ class TraceStudy:
         Of `COLUMNS`, those asked for, in scaled units.
     switch_times : ndarray, shape (switches,)
         Instants of the switches; each is also among the samples.
+    method_columns : dict of str to ndarray
+        For ``timestep`` what it takes the collision for, at the touch and its own steps, so with a
+        length of its own: `method_time`, `method_tangential_force_over_mu`,
+        `method_tangential_velocity`. Empty for other methods.
     """
 
     collision: CollisionStudy
     columns: dict[str, FloatArray | npt.NDArray[np.int8]]
     switch_times: FloatArray
+    method_columns: dict[str, FloatArray]
 
 
 def study_trace(
@@ -64,7 +73,7 @@ def study_trace(
     parameters : CollisionParameters
         κ, μ/α, g_t/g_n.
     options : Options, optional
-        Method and tolerance of ε_t; the trace itself is exact.
+        Method and tolerance of ε_t; the columns are exact, those of ``timestep`` stand beside them.
     samples : int, optional
         Uniform instants from 0 to t_c, at least 2.
     columns : collection of str, optional
@@ -95,7 +104,8 @@ def study_trace(
     }
     if not wanted.keys() <= values.keys():
         values |= _tangential(parameters, path, time, cap)
-    return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times)
+    own = _stepped(parameters, options) if collision.method == "timestep" and options else {}
+    return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times, own)
 
 
 def _too_many(switches: str) -> CostError:
@@ -103,6 +113,26 @@ def _too_many(switches: str) -> CostError:
         f"this collision has {switches} switches; a trace shows at most {MOST_SWITCHES:,}. "
         "Ask for a softer one, or for /collision"
     )
+
+
+def _stepped(parameters: CollisionParameters, options: Options) -> dict[str, FloatArray]:
+    """Return the columns of a collision in time steps, named and signed as the exact ones."""
+    psi = min(parameters.psi, np.finfo(float).max)
+    time, force, velocity = stepped_course(
+        parameters.kappa, psi, options.steps, options.integrator, options.phase
+    )
+    shown = np.arange(0, time.size, -(-time.size // MOST_STEPS))
+    shown[-1] = time.size - 1
+    time, force, velocity = time[shown], force[shown], velocity[shown]
+    # a collision weaker than the one that was followed has proportionally weaker forces
+    force = force * min(1.0, psi / max(psi, WEAKEST))
+    with np.errstate(over="ignore"):
+        velocity = parameters.gt_over_gn * (velocity / velocity[0])
+    return {
+        "method_time": time,
+        "method_tangential_force_over_mu": 0.0 - force,
+        "method_tangential_velocity": velocity,
+    }
 
 
 # a product beyond the double range does not exist and is null in the answer

@@ -92,7 +92,7 @@ def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
             query.parameters, query.options, query.samples, query.wanted, query.episode_limit
         )
         payload = _collision_payload(query, study.collision)
-        payload |= {**study.columns, "switch_times": study.switch_times}
+        payload |= {**study.columns, "switch_times": study.switch_times, **study.method_columns}
         return Result(payload, lambda: study.columns)
 
     return respond(request, query, compute)

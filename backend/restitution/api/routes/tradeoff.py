@@ -1,0 +1,129 @@
+"""Speed against accuracy: the stored measurement, measuring anew, the steps that an error takes."""
+
+from dataclasses import asdict, fields
+from typing import Annotated, Any
+
+import numpy as np
+import orjson
+from fastapi import APIRouter, Query, Request, Response
+from starlette.exceptions import HTTPException
+
+from restitution.api.errors import refuse_unsuited
+from restitution.api.forms import PROGRAM_VERSION, Payload, Result, respond
+from restitution.api.runs import Run, Runs
+from restitution.api.schemas import NoQuery, RunQuery, StepsQuery, TradeoffQuery
+from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
+from restitution.studies.tradeoff import load_tradeoff
+
+SPREAD = tuple(part.name for part in fields(Spread))
+
+router = APIRouter(prefix="/api/v1", tags=["tradeoff"])
+
+
+def _columns(rows: list[dict[str, Any]]) -> Payload:
+    """Return rows as arrays (N,), what does not exist as NaN, options as words."""
+    columns: Payload = {}
+    for name in rows[0]:
+        values = [row[name] for row in rows]
+        if name == "options":
+            values = [" ".join(f"{knob}={v}" for knob, v in value.items()) for value in values]
+        columns[name] = np.array([np.nan if value is None else value for value in values])
+    return columns
+
+
+@router.get("/tradeoff")
+def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
+    """Return what every method costs and how far it is off on the collisions of a scene."""
+    stored = load_tradeoff()[query.scene]
+
+    def compute() -> Result:
+        columns = _columns(stored["rows"])
+        return Result(stored, lambda: columns, lambda: {**stored, **columns, "rows": len(columns)})
+
+    return respond(request, query, compute, f"{PROGRAM_VERSION} {stored['measured_at']}")
+
+
+@router.get("/steps")
+def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
+    """Return how many time steps per contact a wanted error takes, by each integrator."""
+
+    def compute() -> Result:
+        where = query.parameters
+        study = study_steps(query.error, where or query.region or "figure4")
+        psi = where.psi if where else np.inf
+        fewest, most = study.rule_steps
+        too_many = f"not tried beyond {MOST_STEPS:,} steps" if most > MOST_STEPS else None
+        names, rungs, spreads = zip(*study.ladder, strict=True)
+        ladder = {
+            "integrator": np.array(names),
+            "steps": np.array(rungs, np.int32),
+            **{part: np.array([vars(spread)[part] for spread in spreads]) for part in SPREAD},
+        }
+        payload = {
+            "parameters": query.model_dump(exclude={"format", "encoding"})
+            | {"psi": psi if np.isfinite(psi) else None},
+            "collisions": study.collisions,
+            "phases": study.phases,
+            "stability_limit": study.stability_limit,
+            "needed": {name: asdict(needed) for name, needed in study.needed.items()},
+            "rule": {"factor": RULE, "steps_min": fewest, "steps_max": most, "reason": too_many}
+            | {name: asdict(spread) for name, spread in study.rule.items()},
+            **ladder,
+        }
+        return Result(payload, lambda: ladder)
+
+    return respond(request, query, compute)
+
+
+def _runs(request: Request) -> Runs:
+    refuse_unsuited(request)
+    runs: Runs | None = request.app.state.runs
+    if runs is None:
+        raise HTTPException(
+            403, "measuring anew is switched off here; RESTITUTION_TRADEOFF_RUNS=true allows it"
+        )
+    return runs
+
+
+def _run(request: Request, name: str) -> Run:
+    run = _runs(request).last
+    if run is None or run.id != name:
+        raise HTTPException(404)
+    return run
+
+
+def _described(run: Run, status: int = 200) -> Response:
+    body = {
+        "id": run.id,
+        "scene": run.scene,
+        "state": run.state,
+        "progress": run.progress,
+        "result": asdict(run.result) if run.result else None,
+    }
+    headers = {"Cache-Control": "no-store"}
+    if status == 202:
+        headers["Location"] = f"/api/v1/tradeoff/runs/{run.id}"
+    return Response(orjson.dumps(body), status, headers, "application/json")
+
+
+@router.post("/tradeoff/runs", status_code=202)
+def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
+    """Measure a scene anew, in the background."""
+    run = _runs(request).start(query.scene)
+    if run is None:
+        raise HTTPException(409, "a measurement is under way; wait for it or cancel it")
+    return _described(run, 202)
+
+
+@router.get("/tradeoff/runs/{name}")
+def progress(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+    """Return how far a measurement is, and its result when it is done."""
+    return _described(_run(request, name))
+
+
+@router.delete("/tradeoff/runs/{name}")
+def cancel(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+    """Cancel a measurement; it stops after the row that it is at."""
+    run = _run(request, name)
+    run.cancel()
+    return _described(run)

@@ -1,0 +1,90 @@
+"""`GET /steps`: the calculator in its forms, its refusals, its extremes."""
+
+import csv
+import io
+import itertools
+
+import numpy as np
+import pytest
+
+COLLISION = {"kappa": 18, "mu_over_alpha": 1.4, "gt_over_gn": 0.5}
+INTEGRATORS = ("velocity_verlet", "symplectic_euler", "forward_euler")
+
+
+def test_answer_holds_together(service):
+    answer = service.answer("/steps", **COLLISION, error=1e-3)
+    assert answer["parameters"]["psi"] == pytest.approx(0.5 / 1.4)
+    assert answer["needed"].keys() == set(INTEGRATORS)
+    rows = list(zip(answer["integrator"], answer["steps"], answer["error_max"], strict=True))
+    for integrator in INTEGRATORS:
+        needed = answer["needed"][integrator]
+        assert needed.keys() == {"p95", "worst", "reason"}
+        later = [e for i, n, e in rows if i == integrator and n >= needed["worst"]]
+        assert max(later) <= 1e-3
+        assert answer["rule"][integrator].keys() == {"error_median", "error_p95", "error_max"}
+    assert answer["rule"]["factor"] == 50
+    assert answer["rule"]["steps_min"] == answer["rule"]["steps_max"] == 213
+
+
+def test_region_is_answered_promptly(service):
+    for region in ("figure4", "stiff", "solids", "extremes"):
+        response = service.promptly(lambda region=region: service.get("/steps", region=region))
+        answer = service.read(response)
+        assert answer["collisions"] == 128
+        assert answer["parameters"]["kappa"] is None
+    assert answer["needed"]["velocity_verlet"]["p95"] is None
+    assert "65,536" in answer["needed"]["velocity_verlet"]["reason"]
+    assert "1,000,000" in answer["rule"]["reason"]
+
+
+def test_table_of_the_ladder_has_every_form(service):
+    answer = service.answer("/steps", **COLLISION)
+    text = service.get("/steps", **COLLISION, format="csv").text
+    table = list(csv.DictReader(io.StringIO(text)))
+    assert [row["integrator"] for row in table] == answer["integrator"]
+    assert [float(row["error_p95"]) for row in table] == answer["error_p95"]
+    with np.load(io.BytesIO(service.get("/steps", **COLLISION, format="npz").content)) as arrays:
+        assert arrays["steps"].tolist() == answer["steps"]
+        assert arrays["needed.forward_euler.p95"] == answer["needed"]["forward_euler"]["p95"]
+    typed = service.answer("/steps", **COLLISION, encoding="base64")
+    assert typed["steps"]["dtype"] == "i4"
+    assert typed["integrator"] == answer["integrator"]
+
+
+def test_answer_is_cached(service):
+    tag = service.get("/steps", **COLLISION).headers["etag"]
+    again = service.get("/steps", headers={"If-None-Match": tag}, **COLLISION, error=1e-3)
+    assert again.status_code == 304
+
+
+def test_neither_collision_nor_region_is_refused(service):
+    assert service.wrong("/steps").keys() == set(COLLISION)
+    assert service.wrong("/steps", kappa=18).keys() == {"mu_over_alpha", "gt_over_gn"}
+
+
+def test_both_collision_and_region_are_refused(service):
+    wrong = service.wrong("/steps", region="solids", kappa=18)
+    assert wrong.keys() == {"kappa"}
+    assert "region" in wrong["kappa"]["requirement"]
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("error", 0), ("error", 1.1), ("error", "nan"), ("region", "moon"), ("region", "")],
+)
+def test_wrong_values_are_refused(service, name, value):
+    given = {"region": "solids", name: value}
+    wrong = service.wrong("/steps", **given)
+    assert wrong.keys() == {name}
+
+
+EXTREMES = (5e-324, 1e-6, 1.0, 1e6, 1.7976931348623157e308)
+
+
+@pytest.mark.parametrize("kappa", EXTREMES)
+def test_extremes_are_answered_or_said_to_be_out_of_reach(service, kappa):
+    for friction, tangential in itertools.product((0.0, 1.0), (0.0, *EXTREMES)):
+        collision = {"kappa": kappa, "mu_over_alpha": friction, "gt_over_gn": tangential}
+        response = service.promptly(lambda given=collision: service.get("/steps", **given))
+        for needed in service.read(response)["needed"].values():
+            assert (needed["worst"] is None) is (needed["reason"] is not None)

@@ -1,0 +1,116 @@
+"""The calculator of steps per contact: what it promises holds, by itself and by the report."""
+
+import numpy as np
+import pytest
+
+from restitution.mechanics.collision import collide
+from restitution.mechanics.hertz import CONTACT_DURATION
+from restitution.mechanics.stepping import step_collisions
+from restitution.studies.candidates import STEPS
+from restitution.studies.parameters import CollisionParameters
+from restitution.studies.scenes import SCENES
+from restitution.studies.steps import LADDER, TWINS, study_steps
+from restitution.studies.tradeoff import load_tradeoff
+
+ONE = CollisionParameters(18.0, 1.4, 0.5)
+
+
+def errors(collision, steps, integrator, phases):
+    kappa, psi = np.array([collision.kappa]), np.array([collision.psi])
+    exact = collide(kappa, psi).epsilon_t
+    return np.array(
+        [abs(step_collisions(kappa, psi, steps, integrator, p).epsilon_t - exact) for p in phases]
+    )
+
+
+@pytest.mark.parametrize("integrator", ["velocity_verlet", "forward_euler"])
+@pytest.mark.parametrize("error", [1e-2, 1e-3])
+def test_steps_needed_keep_the_error_and_fewer_do_not(integrator, error):
+    needed = study_steps(error, ONE).needed[integrator]
+    phases = np.arange(32) / 32
+    for steps in LADDER[LADDER.index(needed.worst) :]:
+        assert errors(ONE, steps, integrator, phases).max() <= error, steps
+    below = LADDER[LADDER.index(needed.worst) - 1]
+    assert errors(ONE, below, integrator, phases).max() > error
+    assert needed.p95 <= needed.worst
+    assert needed.reason is None
+
+
+def test_steps_needed_hold_for_phases_that_were_not_tried():
+    needed = study_steps(1e-3, ONE).needed["velocity_verlet"]
+    others = (np.arange(200) + 0.37) / 200
+    # between 32 phases the error cannot rise much; it is continuous in the phase
+    assert errors(ONE, needed.worst, "velocity_verlet", others).max() <= 1.1e-3
+
+
+def test_an_error_that_comes_back_with_more_steps_is_not_met():
+    study = study_steps(1e-3, CollisionParameters(63.0, 1.4, 0.0263))
+    spreads = [spread.error_max for name, _, spread in study.ladder if name == "velocity_verlet"]
+    met = [spread <= 1e-3 for spread in spreads]
+    worst = study.needed["velocity_verlet"].worst
+    assert all(met[LADDER.index(worst) :])
+    assert not met[LADDER.index(worst) - 1]
+
+
+def test_what_no_rung_meets_is_none_with_a_reason():
+    needed = study_steps(1e-12, ONE).needed["forward_euler"]
+    assert needed.p95 is None
+    assert needed.worst is None
+    assert "65,536 steps" in needed.reason
+
+
+@pytest.mark.parametrize("kappa", [18.0, 1e4])
+def test_stability_limit_is_half_the_phase_of_a_swing(kappa):
+    study = study_steps(1e-3, CollisionParameters(kappa, 1.0, 1e-9))
+    assert study.stability_limit == pytest.approx(np.sqrt(kappa) * CONTACT_DURATION / 2)
+    largest = {n: s.error_max for name, n, s in study.ladder if name == "velocity_verlet"}
+    # a swing that gains energy in each step is soon far beyond ±1
+    unstable = [n for n in LADDER if n < 0.9 * study.stability_limit]
+    stable = [n for n in LADDER if n > 1.1 * study.stability_limit]
+    assert min(largest[n] for n in unstable[-2:]) > 10 * max(largest[n] for n in stable)
+
+
+def test_rule_of_fifty_keeps_95_percent_of_figure_4_within_a_thousandth():
+    study = study_steps(1e-3, "figure4")
+    spread = study.rule["velocity_verlet"]
+    assert spread.error_p95 < 1e-3 < spread.error_max < 1e-2
+    # of real solids it leaves single ones ten times as far off
+    assert study_steps(1e-3, "solids").rule["velocity_verlet"].error_max > 1e-2
+
+
+def test_worst_errors_do_not_go_with_the_stiffness():
+    # κ from 0.1 to 10⁶, and yet the same 700 steps or so
+    for region in ("figure4", "stiff", "solids"):
+        assert 500 < study_steps(1e-3, region).needed["velocity_verlet"].worst <= 1024, region
+
+
+def test_rule_is_not_tried_beyond_the_steps_of_a_request():
+    study = study_steps(1e-3, CollisionParameters(1e12, 1.0, 1.0))
+    assert study.rule_steps == (5e7, 5e7)
+    assert study.rule["velocity_verlet"].error_max is None
+
+
+@pytest.mark.parametrize("region", ["figure4", "stiff", "solids"])
+@pytest.mark.parametrize("error", [1e-2, 1e-3, 1e-4])
+def test_steps_needed_agree_with_the_measured_table(region, error):
+    rows = {
+        row["options"]["steps"]: row["error_p95"]
+        for row in load_tradeoff()[region]["rows"]
+        if row["options"].get("integrator") == "velocity_verlet"
+    }
+    needed = study_steps(error, region).needed["velocity_verlet"].p95
+    # two samples of some thousand contacts: their p95 agree within a fifth
+    for steps in STEPS:
+        if steps >= needed:
+            assert rows[steps] <= 1.2 * error
+        if steps < needed / 2:
+            assert rows[steps] > 0.8 * error
+
+
+@pytest.mark.parametrize("region", SCENES)
+def test_every_region_is_answered(region):
+    study = study_steps(1e-3, region)
+    assert study.collisions == 128
+    assert [name for name, _, _ in study.ladder].count("forward_euler") == len(LADDER)
+    for twin, other in TWINS.items():
+        assert study.needed[twin] == study.needed[other]

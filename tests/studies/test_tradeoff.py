@@ -1,0 +1,212 @@
+"""Speed against accuracy: the scenes, the measurement, and what is stored of it."""
+
+import json
+
+import numpy as np
+import pytest
+
+from restitution.errors import CostError
+from restitution.mechanics.collision import collide
+from restitution.methods import planner
+from restitution.studies import candidates as every
+from restitution.studies.candidates import Candidate, candidates
+from restitution.studies.reference import KNOWN, reference
+from restitution.studies.report import tradeoff_report
+from restitution.studies.scenes import SCENES
+from restitution.studies.tradeoff import (
+    Row,
+    load_tradeoff,
+    machine,
+    measure,
+    store_rows,
+    store_tradeoff,
+    study_tradeoff,
+)
+
+ROW = {
+    "method",
+    "options",
+    "microseconds_per_collision",
+    "error_median",
+    "error_p95",
+    "error_max",
+    "wrong_sign",
+    "wrong_switches",
+}
+BOUNDS = {
+    "figure4": ((0.1, 70), (0.01 / 1.4, 4 / 1.4)),
+    "stiff": ((1e3, 1e6), (0.01 / 1.4, 4 / 1.4)),
+    "solids": ((3.5, 5.5), (0.01 / 1.4, 4 / 1.4)),
+    "extremes": ((1e-300, 1e300), (1e-300, 1e300)),
+}
+
+
+def by(method, **options):
+    return next(c for c in candidates() if c.method == method and c.options == options)
+
+
+@pytest.mark.parametrize("name", SCENES)
+def test_sample_fills_its_scene_evenly(name):
+    kappa, psi = SCENES[name].sample(1000)
+    scene = SCENES[name]
+    for values, (low, high), stretch in zip(
+        (kappa, psi), BOUNDS[name], (scene.kappa, scene.psi), strict=True
+    ):
+        assert low <= values.min()
+        assert values.max() <= high
+        # a tenth of the distribution holds a tenth of the sample
+        edges = stretch(np.linspace(0, 1, 11))
+        counts, _ = np.histogram(values, edges)
+        assert np.all(np.abs(counts - 100) <= 5), name
+
+
+def test_reference_is_known_and_exact():
+    truth = reference("figure4", 500)
+    exact = collide(truth.kappa, truth.psi)
+    assert truth.kappa.size == 500
+    np.testing.assert_array_equal(truth.epsilon_t, exact.epsilon_t)
+    assert np.all(reference("extremes", 500).error_bound <= KNOWN)
+
+
+def test_every_method_takes_part_with_every_knob():
+    found = candidates()
+    assert {c.method for c in found} == {"auto", *planner.METHODS}
+    integrators = {c.options["integrator"] for c in found if c.method == "timestep"}
+    assert integrators == {"velocity_verlet", "symplectic_euler", "forward_euler"}
+    assert {c.options.get("spring") for c in found if c.method == "ode"} == {None, "held", "free"}
+
+
+def test_row_has_the_errors_of_its_method():
+    truth = reference("figure4", 800)
+    row = measure(by("timestep", integrator="velocity_verlet", steps=50), truth)
+    stepped, _ = by("timestep", integrator="velocity_verlet", steps=50).run(truth.kappa, truth.psi)
+    error = np.abs(stepped - truth.epsilon_t)
+    assert row.error_max == pytest.approx(error.max(), abs=1e-12)
+    assert row.error_median == pytest.approx(np.median(error), abs=1e-12)
+    assert 1e-4 < row.error_median < row.error_p95 < row.error_max < 0.3
+    assert row.wrong_sign == np.mean(stepped * truth.epsilon_t < 0) > 0
+    assert 0.0 < row.wrong_switches < 0.2
+    assert row.microseconds_per_collision > 0.0
+    assert row.unanswered == 0.0
+
+
+def test_the_exact_method_has_no_error_but_its_bound():
+    truth = reference("solids", 100)
+    row = measure(by("exact"), truth)
+    assert row.error_max == truth.error_bound.max()
+    assert row.wrong_sign == row.wrong_switches == 0.0
+
+
+def test_wrong_signs_and_refusals_are_counted():
+    def opposite(kappa, psi):
+        if np.any(kappa > 35.0):
+            raise CostError("too stiff")
+        return -collide(kappa, psi).epsilon_t, None
+
+    truth = reference("figure4", 200)
+    row = measure(Candidate("opposite", {}, opposite), truth)
+    assert row.wrong_sign == 1.0
+    assert row.wrong_switches is None
+    assert row.unanswered == pytest.approx(np.mean(truth.kappa > 35.0))
+    assert (
+        measure(Candidate("opposite", {}, opposite, slow=True), truth).unanswered == row.unanswered
+    )
+
+
+@pytest.mark.parametrize("slow", [True, False])
+def test_a_method_that_refuses_everything_has_no_figures(slow):
+    def refuse(*collisions):
+        raise CostError(f"never any of {len(collisions[0])}")
+
+    row = measure(Candidate("never", {}, refuse, slow=slow), reference("solids", 20))
+    assert row == Row("never", {}, 20, 1.0)
+
+
+def test_study_tells_its_progress_and_can_be_left(monkeypatch):
+    monkeypatch.setattr(every, "COLLISIONS", 50)
+    few = [by("exact"), by("coulomb"), by("stiff")]
+    seen = [(progress, len(m.rows)) for progress, m in study_tradeoff("solids", few)]
+    assert seen == [(0.0, 0), (pytest.approx(1 / 3), 1), (pytest.approx(2 / 3), 2), (1.0, 3)]
+
+
+def test_storing_a_scene_leaves_the_others(tmp_path):
+    target = tmp_path / "tradeoff.json"
+    for scene in ("solids", "figure4"):
+        *_, (_, measurement) = study_tradeoff(scene, [by("coulomb")])
+        store_tradeoff(measurement, target)
+    stored = load_tradeoff(target)
+    assert list(stored) == ["figure4", "solids"]
+    assert stored["solids"]["rows"][0]["method"] == "coulomb"
+
+
+def test_rows_of_another_program_join_and_the_report_says_whether_one_took_part(tmp_path):
+    target = tmp_path / "tradeoff.json"
+    few = [by("coulomb"), by("timestep", integrator="velocity_verlet", steps=50)]
+    *_, (_, measurement) = study_tradeoff("solids", few)
+    store_tradeoff(measurement, target)
+    assert "No other program took part" in tradeoff_report(load_tradeoff(target))
+    for steps in (20, 50):
+        store_rows("solids", [Row("lammps", {"steps": steps}, 1, 1.0)], target)
+    rows = load_tradeoff(target)["solids"]["rows"]
+    assert [row["method"] for row in rows] == ["coulomb", "timestep", "lammps"]
+    assert rows[-1]["options"] == {"steps": 50}
+    report = tradeoff_report(load_tradeoff(target))
+    assert "No other program took part" not in report
+    assert "| `lammps` | steps 50 | – | – | – | – | – | – | 100 % |" in report
+
+
+def test_report_finds_the_cheapest_route_that_keeps_the_error():
+    def row(method, microseconds, error, unanswered=0.0, **options):
+        figures = (microseconds, error / 10, error / 2, error, 0.0, None)
+        return vars(Row(method, options, 10, unanswered, *figures))
+
+    rows = [
+        row("coulomb", 0.001, 0.5),
+        row("exact", 0.5, 1e-14),
+        row("quick", 0.1, 9e-4),
+        row("choosy", 0.01, 1e-9, unanswered=0.1),
+        row("timestep", 0.6, 0.2, integrator="velocity_verlet", steps=50),
+        row("timestep", 9.0, 5e-4, integrator="velocity_verlet", steps=1000),
+        row("timestep", 90.0, 5e-5, integrator="velocity_verlet", steps=5000),
+    ]
+    stored = load_tradeoff()["solids"] | {"rows": rows}
+    line = next(x for x in tradeoff_report({"solids": stored}).splitlines() if "| solids |" in x)
+    assert line == "| solids | `quick` | 0.1 | 0.0009 | 0.6 | 0.2 | 6 | 220 | 1,000 | 9 |"
+    only_coarse = {"solids": stored | {"rows": [rows[0], rows[4]]}}
+    assert "| solids | none | – |" in tradeoff_report(only_coarse)
+
+
+def test_machine_is_described_without_a_name_or_a_place():
+    import socket  # noqa: PLC0415 - only here
+
+    text = machine()
+    assert "numba" in text
+    assert "cores" in text
+    assert socket.gethostname() not in text
+    assert "/" not in text
+
+
+@pytest.mark.parametrize("scene", SCENES)
+def test_stored_measurement_has_the_shape_of_the_contract(scene):
+    kept = load_tradeoff()[scene]
+    assert {"scene", "measured_at", "machine", "model_version", "rows"} <= kept.keys()
+    assert kept["scene"] == scene
+    for row in kept["rows"]:
+        assert row.keys() >= ROW
+        assert (row["error_max"] is None) is (row["unanswered"] == 1.0)
+    # NaN and Infinity are no JSON
+    json.dumps(kept, allow_nan=False)
+
+
+def test_stored_measurement_shows_what_it_must():
+    rows = {
+        (row["method"], *row["options"].values()): row for row in load_tradeoff()["figure4"]["rows"]
+    }
+    verlet = [rows["timestep", "velocity_verlet", n]["error_p95"] for n in every.STEPS]
+    assert sorted(verlet, reverse=True) == verlet
+    # forward Euler gains energy; without events the solver pays, or errs
+    assert rows["timestep", "forward_euler", 50]["error_max"] > 1.0
+    located, held = rows["ode", 1e-6], rows["ode", 1e-6, "held"]
+    assert held["microseconds_per_collision"] > 2 * located["microseconds_per_collision"]
+    assert rows["ode", 1e-6, "free"]["error_p95"] > 0.1
+    assert rows[("exact",)]["error_max"] < 1e-12
