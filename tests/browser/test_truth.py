@@ -226,7 +226,7 @@ def assert_cell(page: Page, server: str, witness: Witness, asked: dict[str, floa
     query = witness.last("map")
     assert query is not None
     assert float(query["mu_over_alpha"]) == asked["mu_over_alpha"]
-    if page.get_by_text("beyond these axes").is_visible():
+    if page.get_by_test_id("crosshair").get_by_text("beyond these axes").is_visible():
         return
     handles = [
         page.get_by_test_id("map").element_handle(),
