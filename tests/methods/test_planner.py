@@ -68,4 +68,4 @@ def test_budget_is_spent_on_the_softest_collisions(monkeypatch):
 
 def test_unknown_methods_are_refused_with_the_known_ones():
     with pytest.raises(ParameterError, match="one of auto, exact, coulomb, pragmatic, stiff"):
-        solve(1.0, 1.0, method="table")
+        solve(1.0, 1.0, method="guess")
