@@ -6,6 +6,7 @@ import uvicorn
 from restitution.api.app import create_app
 from restitution.api.page import compress_plotly
 from restitution.api.warm import warm as warm_kernels
+from restitution.api.warm import warm_table
 
 
 @click.group()
@@ -24,6 +25,7 @@ def serve(host: str, port: int) -> None:
 
 @main.command()
 def warm() -> None:
-    """Compile the kernels and compress plotly.js into the cache."""
+    """Compile the kernels, compress plotly.js and build the table into the cache."""
     warm_kernels()
     compress_plotly()
+    warm_table()
