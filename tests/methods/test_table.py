@@ -113,7 +113,7 @@ def test_error_is_below_a_ten_thousandth_in_99_of_100_cases(sample):
 
 
 def test_certified_worst_case_is_what_the_documents_say():
-    assert table.table().bounds.max() < 2.2e-3
+    assert 2e-3 < table.table().bounds.max() <= 2.5e-3
 
 
 def test_bound_would_notice_a_wrong_patch(monkeypatch):
