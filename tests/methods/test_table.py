@@ -1,5 +1,7 @@
 """The table: no answer outside its own bound, wherever one looks; its file; what it refuses."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -194,6 +196,13 @@ def test_damaged_file_is_replaced(nothing_loaded, damage):
     table.table()
     assert len(nothing_loaded) == 2
     assert table._file().read_bytes() == whole
+
+
+def test_table_is_built_once_however_many_ask(nothing_loaded):
+    with ThreadPoolExecutor(8) as pool:
+        tables = list(pool.map(lambda _: table.table(), range(64)))
+    assert len(nothing_loaded) == 1
+    assert all(found is tables[0] for found in tables)
 
 
 def test_table_does_without_a_folder(nothing_loaded, monkeypatch, tmp_path):
