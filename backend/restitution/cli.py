@@ -8,6 +8,7 @@ import uvicorn
 from restitution.api.app import create_app
 from restitution.api.page import compress_plotly
 from restitution.api.warm import warm as warm_kernels
+from restitution.api.warm import warm_table
 from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
 from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
@@ -29,9 +30,10 @@ def serve(host: str, port: int) -> None:
 
 @main.command()
 def warm() -> None:
-    """Compile the kernels and compress plotly.js into the cache."""
+    """Compile the kernels, compress plotly.js and build the table into the cache."""
     warm_kernels()
     compress_plotly()
+    warm_table()
 
 
 @main.command()

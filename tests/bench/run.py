@@ -25,6 +25,7 @@ from solver import solve_with_events
 
 from restitution.mechanics import collision
 from restitution.mechanics.compiled import MODEL_VERSION
+from restitution.methods import planner, table
 from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
 from restitution.studies.grid import study_grid
@@ -90,6 +91,30 @@ def kernels() -> dict[str, float]:
         "map 300×200, ms wall, all cores": 1e3
         * median(lambda: study_grid(*axes, 1.4), clock=time.perf_counter),
         "trace of 400 samples, ms CPU": 1e3 * trace,
+    }
+
+
+def table_figures() -> dict[str, float]:
+    """Return the costs of the table, and what a map for the screen saves by it."""
+    begin = time.thread_time()
+    table.build()
+    built = time.thread_time() - begin
+    grid = np.meshgrid(np.geomspace(*table.KAPPA_RANGE, 1000), np.geomspace(*table.PSI_RANGE, 1000))
+    kappa, psi = (axis.ravel() for axis in grid)
+    order = np.random.default_rng(1).permutation(kappa.size)
+    shuffled = kappa[order], psi[order]
+    screen = np.meshgrid(np.geomspace(0.1, 1e6, 200), np.linspace(0.01, 4, 150) / 1.4)
+    kappas, psis = (axis.ravel() for axis in screen)
+    options = Options(tolerance=4e-3)
+    cheap = median(
+        lambda: planner.solve(kappas, psis, ("epsilon_t",), options), clock=time.process_time
+    )
+    exact = median(lambda: collision.collide(kappas, psis), clock=time.process_time)
+    return {
+        "table, built once, s CPU": built,
+        "table, map order, ns CPU": 1e9 * median(lambda: table.read(kappa, psi)) / kappa.size,
+        "table, random order, ns CPU": 1e9 * median(lambda: table.read(*shuffled)) / kappa.size,
+        "map to κ = 10⁶, exact over auto at 4e-3": exact / cheap,
     }
 
 
@@ -180,7 +205,7 @@ def requests() -> dict[str, float]:
 
 def main() -> None:
     """Measure, compare with the last run, print and store."""
-    figures = kernels() | general_solver() | requests() | start_up()
+    figures = kernels() | table_figures() | general_solver() | requests() | start_up()
     unit = calibration()
     last = json.loads(RESULTS.read_text()) if RESULTS.exists() else None
     print(f"{'':58s}{'now':>12s}{'÷ last':>9s}")

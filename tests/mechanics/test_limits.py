@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from restitution.mechanics.collision import collide
+from restitution.mechanics.collision import SHARP_STIFF_LIMIT, collide
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.limits import (
     GEAR_WHEEL_STIFFNESS,
@@ -16,6 +16,7 @@ from restitution.mechanics.limits import (
     stiff_asymptote,
     stiff_bound,
     stiff_estimate,
+    stiff_limit,
     weak_limit,
 )
 from restitution.mechanics.motion import motion, reversals
@@ -100,6 +101,52 @@ def test_papers_stiff_estimate_is_not_a_bound_and_ours_is():
     assert kappa[worst] == pytest.approx(1.5, abs=0.1)
     assert psi[worst] == pytest.approx(1.0, abs=0.1)
     assert np.all(size <= stiff_bound(kappa, psi))
+
+
+def test_sharp_stiff_limit_is_its_closed_form():
+    tau = np.linspace(0.0, 10.0, 1_000_001)
+    largest = ((tau + np.pi / 2) ** 1.5 - 0.4 * tau**2.5).max()
+    assert largest <= SHARP_STIFF_LIMIT < largest * (1 + 1e-9)
+    assert pytest.approx(largest, abs=5e-5) == STIFF_ASYMPTOTE
+
+
+def psi_below_two(rng, count):
+    """Spread over ψ, over its logarithm, and over that of the distance to 2."""
+    parts = rng.uniform(0, 2, count), 10 ** rng.uniform(-9, 0.3, count)
+    return np.concatenate([*parts, 2 - 10 ** rng.uniform(-12, 0, count)])
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "count"),
+    [(1.5685, 10.0, 300_000), (10.0, 1e3, 100_000), (1e3, 1e5, 6_000), (1e5, 2e8, 300)],
+)
+def test_no_rebound_is_beyond_the_sharp_stiff_limit(low, high, count):
+    rng = np.random.default_rng(27)
+    psi = psi_below_two(rng, count)
+    kappa = np.exp(rng.uniform(np.log(low), np.log(high), psi.size))
+    result = collide(kappa, psi)
+    epsilon_t, bound = stiff_limit(kappa, psi)
+    assert np.all(result.switches >= 0)
+    np.testing.assert_array_equal(epsilon_t, 0.0)
+    excess = np.abs(result.epsilon_t) - result.error_bound - bound
+    assert np.all(excess <= 0.0)
+    # and it is worth its name: some collision comes near
+    assert np.max(np.abs(result.epsilon_t[bound < 1]) / bound[bound < 1]) > 0.5
+
+
+def test_stiff_limit_is_reached_next_to_its_bound():
+    """The swing that ends 2.0035/√κ before the contact, found by scanning: 0.99999 of the bound."""
+    psi = np.linspace(0.2, 1.99, 100_000)
+    share = np.abs(collide(1e5, psi).epsilon_t) / stiff_limit(np.full(psi.shape, 1e5), psi)[1]
+    assert 0.999 < share.max() <= 1.0
+
+
+def test_stiff_limit_is_exact_from_pure_sliding_on_and_never_zero():
+    kappa, psi = np.array([18.0, 0.2, 0.2, 1e308]), np.array([2.5, 5.33, 5.32, 1.0])
+    epsilon_t, bound = stiff_limit(kappa, psi)
+    np.testing.assert_array_equal(epsilon_t, [1 - 2 / 2.5, 1 - 2 / 5.33, 0.0, 0.0])
+    np.testing.assert_array_equal(bound[1:3], [1e-15, 1.0])
+    assert 0.0 < bound[3] < 1e-300
 
 
 def test_stiff_limit_says_nothing_beyond_two():

@@ -1,11 +1,13 @@
 """Choice of the method: what is asked for is delivered, at the tolerance, within the budget."""
 
+import time
+
 import numpy as np
 import pytest
 
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import MOST_SWITCHES, collide
-from restitution.methods import exact, planner
+from restitution.methods import exact, planner, table
 from restitution.methods.answer import Options
 
 
@@ -25,6 +27,57 @@ def test_auto_stays_within_its_bound_and_its_tolerance(reference, tolerance, qua
 def test_auto_does_without_the_exact_method_where_the_stiff_limit_will_do():
     answer = solve([1e5, 1e5, 10.0], [1.0, 3.0, 1.0], ("epsilon_t",), tolerance=4e-3)
     assert list(answer.method) == ["stiff", "stiff", "exact"]
+
+
+def screen_map(kappas):
+    """κ and ψ of a map of 200 × 150 with the page's g_t/g_n at μ/α = 1.4."""
+    grid = np.meshgrid(kappas, np.linspace(0.01, 4, 150) / 1.4)
+    return tuple(np.ravel(axis) for axis in grid)
+
+
+@pytest.mark.parametrize(
+    "kappas", [np.geomspace(0.1, 1e6, 200), np.linspace(0.1, 1e6, 200)], ids=["log", "linear"]
+)
+def test_map_to_a_million_costs_a_twentieth_at_the_tolerance_of_a_screen(kappas):
+    kappa, psi = screen_map(kappas)
+    answer = solve(kappa, psi, ("epsilon_t",), tolerance=4e-3)
+    begin = time.process_time()
+    answer = solve(kappa, psi, ("epsilon_t",), tolerance=4e-3)
+    cheap = time.process_time() - begin
+    begin = time.process_time()
+    truth = collide(kappa, psi)
+    assert time.process_time() - begin > 20 * cheap
+    assert np.all(np.abs(answer.epsilon_t - truth.epsilon_t) <= answer.error_bound)
+    assert np.all(answer.error_bound <= 4e-3)
+
+
+def test_auto_reads_the_table_for_many_and_follows_a_few():
+    kappa, psi = screen_map(np.linspace(0.1, 70, 200))
+    many = solve(kappa, psi, ("epsilon_t",), tolerance=4e-3)
+    assert set(many.method) == {"stiff", "table"}
+    few = solve(kappa[:3000], psi[:3000], ("epsilon_t",), tolerance=4e-3)
+    assert set(few.method) == {"exact"}
+    counted = solve(kappa, psi, tolerance=4e-3)
+    assert set(counted.method) == {"exact"}
+
+
+@pytest.mark.parametrize("tolerance", [10.0**-n for n in range(1, 13)])
+def test_auto_keeps_every_tolerance_where_the_table_takes_part(tolerance):
+    rng = np.random.default_rng(4)
+    kappa, psi = 10 ** rng.uniform(-3, 5, 40_000), 10 ** rng.uniform(-4, 3, 40_000)
+    answer = solve(kappa, psi, ("epsilon_t",), tolerance=tolerance)
+    truth = collide(kappa, psi)
+    distance = np.abs(answer.epsilon_t - truth.epsilon_t)
+    assert np.all(distance <= answer.error_bound + truth.error_bound)
+    assert np.all(answer.error_bound <= np.maximum(tolerance, truth.error_bound))
+    assert ("table" in answer.method) is (tolerance >= table.FINEST)
+
+
+def test_bound_of_what_cannot_be_followed_is_the_sharp_one():
+    answer = solve([1e28, 1e28], [1e-13, 1.0], ("epsilon_t", "switches"))
+    np.testing.assert_allclose(answer.error_bound, [4.484842e-22, 4.484842e-35], rtol=1e-6)
+    named = solve(1e28, 1e-13, method="stiff")
+    assert named.error_bound[0] == pytest.approx(1.25**0.6 * 1e-1)
 
 
 def test_auto_counts_switches_where_they_are_asked_for():
@@ -68,4 +121,4 @@ def test_budget_is_spent_on_the_softest_collisions(monkeypatch):
 
 def test_unknown_methods_are_refused_with_the_known_ones():
     with pytest.raises(ParameterError, match="one of auto, exact, coulomb, pragmatic, stiff"):
-        solve(1.0, 1.0, method="table")
+        solve(1.0, 1.0, method="guess")

@@ -16,11 +16,14 @@ from restitution.api.page import add_page, compress_plotly
 from restitution.api.routes import collisions, service, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
-from restitution.api.warm import warm
+from restitution.api.warm import warm, warm_table
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """Return the service; its kernels are made ready in the background once it runs."""
+    """Return the service; its kernels are made ready in the background once it runs.
+
+    The table follows them: until it is there, the first time 20 s later, requests that use it wait.
+    """
     settings = settings or Settings()
     app = FastAPI(
         title="Restitution",
@@ -58,6 +61,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.ready.set()
         click.echo(f"ready: the kernels took {time.perf_counter() - begin:.1f} s")
         compress_plotly()
+        warm_table()
 
     click.echo("preparing the kernels: compiled the first time (half a minute), then from a cache")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()

@@ -19,7 +19,7 @@ from restitution.studies import batch, collision, trace
 from restitution.studies.axis import Axis
 from restitution.studies.parameters import CollisionParameters
 
-Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "timestep", "ode"]
+Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Scale = Literal["linear", "log"]
 

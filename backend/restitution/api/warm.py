@@ -11,3 +11,8 @@ def warm() -> None:
     study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
     study_batch(18.0, 1.4, 0.4, QUANTITIES, Options("stiff"))
     study_trace(CollisionParameters(18.0, 1.4, 0.4), Options("timestep"), samples=2)
+
+
+def warm_table() -> None:
+    """Load the table, or build it the first time (20 s), and compile its look-up."""
+    study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options("table"))

@@ -116,6 +116,27 @@ def stiff_bound(kappa: float, psi: float) -> float:
     return min(1.0, MAXIMUM_FORCE / math.sqrt(kappa) / psi)
 
 
+SHARP_STIFF_LIMIT = 4.484842352
+"""max over τ of (τ + π/2)^{3/2} − (2/5) τ^{5/2}, rounded up; at τ = 2.0035."""
+
+NO_LESS = 2.3e-308
+"""Bounds stay above the smallest normal double: a bound of 0 would promise too much."""
+
+
+@compiled
+def sharp_stiff_bound(kappa: float, psi: float) -> float:
+    """Return min(`stiff_bound`, 4.4848 κ^{-5/4}/ψ), a bound on |ε_t| for ψ < 2.
+
+    The second is proven from κ = `MONOTONE_STIFFNESS` on (docs/model.md) and smaller than the
+    first from κ = 6.2 on.
+    """
+    half_power = kappa**-0.625
+    # in two halves, between which a small ψ makes up for a large κ
+    sharp = SHARP_STIFF_LIMIT * half_power / psi * half_power
+    bound = stiff_bound(kappa, psi)
+    return max(NO_LESS, min(bound, sharp) if kappa >= MONOTONE_STIFFNESS else bound)
+
+
 @compiled
 def rounding_bound(kappa: float, psi: float) -> float:
     """Return a bound on the rounding error of ε_t.
@@ -253,7 +274,7 @@ def _collide_each(
         # for ψ ≥ 2 there are few switches, and the stiff limit says nothing
         if p < 2.0 and (bound[i] >= 1.0 or expected_switches(k, p) > most_switches):
             epsilon_t[i], switches[i], certain[i] = 0.0, TOO_STIFF, False
-            bound[i] = stiff_bound(k, psi[i])
+            bound[i] = sharp_stiff_bound(k, psi[i])
         else:
             epsilon_t[i], switches[i], certain[i] = follow(k, p, nothing)
         if psi[i] == 0.0:
@@ -274,7 +295,7 @@ def collide(
         ψ → 0, with no switch; infinity gives ε_t = 1.
     most_switches : float, optional
         Collisions with ψ < 2 that are expected to switch more often are not followed: they have
-        ε_t = 0 with the stiff limit as bound, and `TOO_STIFF` switches.
+        ε_t = 0 with the sharp stiff limit as bound, and `TOO_STIFF` switches.
 
     Returns
     -------

@@ -6,13 +6,20 @@ Every function broadcasts. κ is that of Eq. 24, with α in it; ψ = (α/μ)(g_t
 import numpy as np
 import numpy.typing as npt
 
+from restitution.mechanics.collision import sharp_stiff_bound as _sharp_stiff_bound
 from restitution.mechanics.collision import stiff_bound as _stiff_bound
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
-from restitution.mechanics.switching import MONOTONE_STIFFNESS, slip_extremum, slip_reach
+from restitution.mechanics.switching import slip_extremum, slip_reach
 
 STIFF_ASYMPTOTE = 4.4848
 """lim max |ε_t| ψ κ^{5/4} for κ → ∞, ψ < 2; measured in docs/model.md."""
+
+FROM_TWO_ON = 0.5701024
+"""κ from which on every collision with ψ ≥ 2 slides throughout: ψ* is 2 from 0.57010238 on."""
+
+SLIDING_BOUND = 1e-15
+"""Rounding error of 1 − 2/ψ, twice over."""
 
 GEAR_WHEEL_STIFFNESS = (np.pi / CONTACT_DURATION) ** 2
 """Smallest κ with ε_t = −1 for ψ → 0: half a swing of the spring lasts as long as the contact."""
@@ -36,12 +43,17 @@ def coulomb_restitution(
 
 
 @compiled
+def threshold_of_sliding(kappa: float) -> float:
+    """Return ψ*(κ) of one κ; see `sliding_threshold`."""
+    if kappa >= FROM_TWO_ON:
+        return 2.0
+    return max(2.0, slip_reach(kappa, slip_extremum(kappa)) / kappa)
+
+
+@compiled
 def _sliding_thresholds(kappa: FloatArray, threshold: FloatArray) -> None:
     for i in range(kappa.size):
-        threshold[i] = 2.0
-        if kappa[i] < MONOTONE_STIFFNESS:
-            reach = slip_reach(kappa[i], slip_extremum(kappa[i]))
-            threshold[i] = max(2.0, reach / kappa[i])
+        threshold[i] = threshold_of_sliding(kappa[i])
 
 
 def sliding_threshold(kappa: npt.ArrayLike) -> FloatArray:
@@ -87,6 +99,32 @@ def stiff_bound(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
     bound = np.empty(kappas.size)
     _stiff_bounds(np.ravel(kappas), np.ravel(psis), bound)
     return bound.reshape(kappas.shape)
+
+
+@compiled
+def _stiff_limits(
+    kappa: FloatArray, psi: FloatArray, epsilon_t: FloatArray, bound: FloatArray
+) -> None:
+    for i in range(kappa.size):
+        k, p = kappa[i], psi[i]
+        epsilon_t[i] = 0.0
+        if p < 2.0:
+            bound[i] = _sharp_stiff_bound(k, p)
+        elif p >= threshold_of_sliding(k):
+            epsilon_t[i], bound[i] = 1.0 - 2.0 / p, SLIDING_BOUND
+        else:
+            bound[i] = 1.0
+
+
+def stiff_limit(kappa: FloatArray, psi: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return what is known of ε_t of collisions (N,) without following them, and its error bound.
+
+    1 − 2/ψ where the contact slides throughout. Below ψ = 2, 0 within the smaller of `stiff_bound`
+    and, from κ = 1.56846 on, 4.48485 κ^{-5/4}/ψ. Between 2 and ψ*(κ), 0 within 1.
+    """
+    epsilon_t, bound = np.empty(kappa.shape), np.empty(kappa.shape)
+    _stiff_limits(kappa, psi, epsilon_t, bound)
+    return epsilon_t, bound
 
 
 def stiff_estimate(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:

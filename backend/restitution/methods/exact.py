@@ -17,6 +17,12 @@ MOST_SWITCHES_PER_REQUEST = 20_000_000
 """About four seconds of one core, at 0.2 µs for a switch."""
 
 
+def cost(kappa: FloatArray, psi: FloatArray) -> float:
+    """Return about how many seconds of one core it takes to follow collisions (N,)."""
+    expected = expected_switch_counts(kappa, psi)
+    return 2e-7 * float(np.sum(expected[expected <= MOST_SWITCHES]))
+
+
 def switch_limit(expected: FloatArray) -> float:
     """Return up to how many switches collisions can be followed within the budget of a request.
 

@@ -7,7 +7,8 @@ import numpy as np
 from restitution.errors import ParameterError
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods import coulomb, exact, ode, stiff, timestep
+from restitution.mechanics.limits import stiff_limit
+from restitution.methods import coulomb, exact, ode, stiff, table, timestep
 from restitution.methods.answer import Answer, Options
 
 METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
@@ -15,6 +16,7 @@ METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
     "coulomb": coulomb.solve,
     "pragmatic": coulomb.solve,
     "stiff": stiff.solve,
+    "table": table.solve,
     "timestep": timestep.solve,
     "ode": ode.solve,
 }
@@ -58,12 +60,29 @@ def solve(
         return Answer(
             fine.epsilon_t, fine.error_bound, method, fine.switches, fine.switches_certain
         )
-    coarse = stiff.solve(kappa, psi, options)
-    needed = coarse.error_bound > options.tolerance
-    fine = exact.follow_affordable(kappa[needed], psi[needed])
+    return _cheapest(kappa, psi, options.tolerance)
+
+
+def _cheapest(kappa: FloatArray, psi: FloatArray, tolerance: float) -> Answer:
+    """Return ε_t of collisions (N,) from closed forms, then the table, then followed.
+
+    What answers depends on the request alone: the table serves requests that save time by it, and
+    if there is none yet it is built.
+    """
+    epsilon_t, bound = stiff_limit(kappa, psi)
+    method = np.full(kappa.shape, "stiff")
     switches = np.full(kappa.shape, TOO_STIFF, np.int32)
     certain = np.zeros(kappa.shape, np.bool_)
-    coarse.epsilon_t[needed], coarse.error_bound[needed] = fine.epsilon_t, fine.error_bound
+    needed = np.flatnonzero(bound > tolerance)
+    held = needed[table.within(kappa[needed], psi[needed])]
+    if tolerance >= table.FINEST and exact.cost(kappa[held], psi[held]) >= table.LEAST_GAIN:
+        read, certified = table.read(kappa[held], psi[held])
+        met = certified <= tolerance
+        done = held[met]
+        epsilon_t[done], bound[done], method[done] = read[met], certified[met], "table"
+        needed = np.flatnonzero(bound > tolerance)
+    fine = exact.follow_affordable(kappa[needed], psi[needed])
+    epsilon_t[needed], bound[needed] = fine.epsilon_t, fine.error_bound
     switches[needed], certain[needed] = fine.switches, fine.switches_certain
-    method = np.where(switches == TOO_STIFF, "stiff", "exact")
-    return Answer(coarse.epsilon_t, coarse.error_bound, method, switches, certain)
+    method[needed] = np.where(fine.switches == TOO_STIFF, "stiff", "exact")
+    return Answer(epsilon_t, bound, method, switches, certain)

@@ -70,7 +70,8 @@ def study_batch(
         np.atleast_1d(np.asarray(kappa, dtype=np.float64)),
         scaled_velocity(mu_over_alpha, gt_over_gn),
     )
-    kappas, psis = np.ascontiguousarray(kappas), np.ascontiguousarray(psis)
+    # copies, for numba warns of arrays that were broadcast
+    kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
     answer = planner.solve(kappas, psis, quantities, options)
     return BatchStudy(
         {name: _column(name, kappas, psis, answer) for name in QUANTITIES if name in quantities},
