@@ -150,7 +150,7 @@ export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn }) {
   const psi = gt_over_gn / mu_over_alpha;
   switch (method) {
     case "table":
-      return kappa >= 1e-2 && kappa <= 1e3 && psi >= 1e-3 && psi <= 1e3;
+      return kappa >= 1e-2 && kappa <= 1e3 && (psi === 0 || (psi >= 1e-3 && psi <= 1e3));
     case "ode":
       return kappa <= 1e5;
     case "exact":
