@@ -246,9 +246,9 @@ def notable(rows: Mapping[tuple[float, float], Row]) -> str:
         by = [f"{slopes.kappa:.3g}", f"{slopes.psi:.3g}"] if slopes else ["–", "–"]
         unknown = truth.made == "bound"
         value, off = f"{ours.epsilon_t:.6g}", "?" if unknown else powers(error / UNIT)
-        numbers = [value, off, f"{ours.error_bound:.1e}", *by, count(rows[pair])]
+        numbers = [value, off, f"{ours.error_bound:.1e}", *by, count(rows[pair]), ours.method]
         lines.append([*map(named, pair), *numbers, truth.made])
-    head = "κ|ψ|ε_t|digits lost|error bound|∂ε_t/∂ln κ|∂ε_t/∂ln ψ|switches|truth"
+    head = "κ|ψ|ε_t|digits lost|error bound|∂ε_t/∂ln κ|∂ε_t/∂ln ψ|switches|method|truth"
     return table(head.split("|"), lines)
 
 
