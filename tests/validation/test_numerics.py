@@ -1,6 +1,7 @@
 """docs/numerics.md holds: its tables, and what it says of errors, slopes and counts."""
 
 import math
+import re
 
 import make_numerics
 import pytest
@@ -25,7 +26,11 @@ def number(cell):
 
 @pytest.mark.parametrize("name", ["Neighbours", "Switches"])
 def test_counts_are_those_of_the_document(tables, name):
-    assert make_numerics.printed(name) == tables[name]
+    # an uncertain count is a guess, and another processor may guess otherwise
+    printed, fresh = (
+        re.sub(r"\d+ \?", "?", text) for text in (make_numerics.printed(name), tables[name])
+    )
+    assert fresh == printed
 
 
 @pytest.mark.parametrize("name", ["Errors", "Condition"])
