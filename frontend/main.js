@@ -93,8 +93,8 @@ const accuracyScene = mountAccuracyScene({
 });
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
-  const { kappa, mu_over_alpha, gt_over_gn } = preset;
-  const collision = { kappa, mu_over_alpha, gt_over_gn };
+  const { kappa, mu_over_alpha, gt_over_gn, damping } = preset;
+  const collision = { kappa, mu_over_alpha, gt_over_gn, damping };
   store.set({ collision, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
 });
 const controls = PARAMETERS.map((parameter) => ({

@@ -8,6 +8,7 @@ import { decodeArrays } from "./arrays.js";
  * @property {Episode[]} episodes
  * @property {import("../state/parameters.js").Collision & {psi: number | null}} parameters
  * @property {number} epsilon_t
+ * @property {number} epsilon_n
  * @property {number | null} switches
  * @property {number | null} reversals
  * @property {number} contact_duration
@@ -63,7 +64,7 @@ import { decodeArrays } from "./arrays.js";
  * @property {{steps_max: number, velocity_verlet: {error_p95: number | null, error_max: number | null}}} rule
  */
 
-/** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, damping: number, source: string}} Preset */
+/** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, alpha: number, source: string}} Preset */
 
 /** The server could not be asked, or is too busy: asking again later may help. */
 export class Unreachable extends Error {}
@@ -240,8 +241,13 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
 }
 
 /** What `/collision` is asked. @param {import("../state/parameters.js").Collision} collision */
-export function collisionQuery({ kappa, mu_over_alpha, gt_over_gn }) {
-  return inWords({ kappa, mu_over_alpha, gt_over_gn });
+export function collisionQuery({ kappa, mu_over_alpha, gt_over_gn, damping }) {
+  return { ...inWords({ kappa, mu_over_alpha, gt_over_gn }), ...dampingQuery(damping) };
+}
+
+/** Only where there is any. @param {number} damping @returns {Record<string, string>} */
+function dampingQuery(damping) {
+  return damping > 0 ? { damping: String(damping) } : {};
 }
 
 /**
@@ -279,6 +285,7 @@ export function mapQuery(muOverAlpha, view, counts) {
     gt_over_gn_max: String(view.gtOverGn.max),
     gt_over_gn_count: String(counts.gtOverGn),
     gt_over_gn_scale: view.scale,
+    ...dampingQuery(view.damping),
   };
 }
 
@@ -316,6 +323,7 @@ export function cutQuery({ kappa, muOverAlpha, view, count }) {
     count: String(count),
     scale: view.scale,
     quantities: CUT_COLUMNS,
+    ...dampingQuery(view.damping),
   };
 }
 

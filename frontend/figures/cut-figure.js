@@ -32,7 +32,8 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
   const inner = innerSize(size, CUT_MARGIN, theme);
   const { range, perPixel } = verticalAxis(inner.height, theme);
   const shares = cut.values.map((_, i) => i / (cut.values.length - 1));
-  const near = letters.filter((one) => isNear(one.kappa, kappa));
+  // The letters of Fig. 5 are undamped collisions.
+  const near = view.damping > 0 ? [] : letters.filter((one) => isNear(one.kappa, kappa));
   const placed = near.map(({ letter, psi }) => ({
     letter,
     share: view.gtOverGn.toShare(psi * muOverAlpha),

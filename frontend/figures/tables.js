@@ -23,7 +23,7 @@ const MAP_COLUMNS = 8;
 
 /** @param {import("../api/client.js").CollisionAnswer} result @returns {Table} */
 export function resultTable(result) {
-  const { kappa, mu_over_alpha: mu, gt_over_gn: gt, psi } = result.parameters;
+  const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
   const { initial, dissipated } = result.energy;
   return {
     caption: `The collision: ${result.summary}`,
@@ -32,7 +32,9 @@ export function resultTable(result) {
       ["κ", typable(kappa)],
       ["μ/α", typable(mu)],
       ["g_t/g_n", typable(gt)],
+      ["η", typable(damping)],
       ["ψ", significant(psi ?? Infinity)],
+      ["ε_n", significant(result.epsilon_n, 8)],
       ["ε_t", significant(result.epsilon_t, 8)],
       ["error of ε_t", errorBound(result.error_bound)],
       ["switches", String(result.switches ?? ABSENT)],

@@ -5,6 +5,7 @@ export const SYMBOLS = {
   kappa: "<var>κ</var>",
   mu_over_alpha: "<var>μ</var>\u2009/\u2009<var>α</var>",
   gt_over_gn: "<var>g</var><sub>t</sub>\u2009/\u2009<var>g</var><sub>n</sub>",
+  damping: "<var>η</var>",
   tangential_force_over_mu: "<var>F</var><sub>t</sub>\u2009/\u2009<var>μ</var>",
   normal_force: "<var>F</var><sub>n</sub>",
 };
@@ -25,7 +26,9 @@ export const PLOT_SYMBOLS = {
  */
 export function splitSymbols(text) {
   return text
-    .split(/((?<![A-Za-z])[A-Za-zεψκ]_[a-z](?![a-z])|[εψκμαν](?![A-Za-z_])|(?<![A-Za-z])t(?= = ))/)
+    .split(
+      /((?<![A-Za-z])[A-Za-zεψκη]_[a-z](?![a-z])|[εψκμανη](?![A-Za-z_])|(?<![A-Za-z])t(?= = ))/,
+    )
     .map((piece, i) =>
       i % 2 === 0 ? { plain: piece } : { letter: piece[0], index: piece.slice(2) },
     )
@@ -37,4 +40,5 @@ export const PLAIN_SYMBOLS = {
   kappa: "κ",
   mu_over_alpha: "μ/α",
   gt_over_gn: "g_t/g_n",
+  damping: "η",
 };

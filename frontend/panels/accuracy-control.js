@@ -8,7 +8,8 @@ import { byTestId, find } from "./find.js";
 
 /** Where a method does not answer, the exact result stands in. @type {Record<string, string>} */
 const REFUSALS = {
-  table: "The table covers κ from 0.01 to 1000 and ψ from 0.001 to 1000.",
+  table: "The table covers κ from 0.01 to 1000 and ψ from 0.001 to 1000, without damping.",
+  stiff: "The stiff limit is that without damping.",
   ode: "The solver is not let loose on κ above 100000.",
   exact: "Too stiff to be followed from switch to switch.",
 };

@@ -22,9 +22,7 @@ export function mountParameterControl(parent, parameter, onChange) {
   const field = /** @type {HTMLInputElement} */ (find(".parameter-field", root));
   const reset = /** @type {HTMLButtonElement} */ (find(".parameter-reset", root));
   const problem = find(".parameter-problem", root);
-  const hook = { kappa: "kappa", mu_over_alpha: "mu-over-alpha", gt_over_gn: "gt-over-gn" }[
-    parameter.key
-  ];
+  const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
   let value = parameter.initial;
   /** @type {ReturnType<typeof setTimeout> | undefined} */

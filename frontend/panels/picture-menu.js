@@ -202,4 +202,5 @@ const MARKUP = {
   kappa: "<i>κ</i>",
   mu_over_alpha: "<i>μ</i>/<i>α</i>",
   gt_over_gn: "<i>g</i><sub>t</sub>/<i>g</i><sub>n</sub>",
+  damping: "<i>η</i>",
 };

@@ -102,6 +102,7 @@ function isSame(preset, collision) {
   return (
     preset.kappa === collision.kappa &&
     preset.mu_over_alpha === collision.mu_over_alpha &&
-    preset.gt_over_gn === collision.gt_over_gn
+    preset.gt_over_gn === collision.gt_over_gn &&
+    preset.damping === collision.damping
   );
 }

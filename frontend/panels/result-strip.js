@@ -1,7 +1,7 @@
 // @ts-check
 
 import { approximate, duration, errorBound, percentage, significant } from "../format/number.js";
-import { byTestId } from "./find.js";
+import { byTestId, find } from "./find.js";
 import { typeset } from "./typeset.js";
 
 /**
@@ -16,6 +16,8 @@ export function mountResultStrip(element) {
   const energyLost = place("energy-lost");
   const contactDuration = place("contact-duration");
   const psi = place("psi");
+  const epsilonN = place("epsilon-n");
+  const figures = find(".figures", element);
   const summary = place("summary");
   const provenance = place("provenance");
   const mark = place("gauge-mark");
@@ -65,6 +67,8 @@ export function mountResultStrip(element) {
       write(energyLost, lostShare(result.energy));
       write(contactDuration, significant(result.contact_duration));
       write(psi, significant(result.parameters.psi ?? Infinity));
+      write(epsilonN, significant(result.epsilon_n));
+      figures.toggleAttribute("data-damped", result.parameters.damping > 0);
       typeset(summary, result.summary);
       write(
         provenance,

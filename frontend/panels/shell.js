@@ -94,10 +94,11 @@ export function mountShell({ present, onOption }) {
     /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */
     caption({ parameters, epsilon_t: epsilon }) {
       if (root.dataset.embed) {
-        const { kappa, mu_over_alpha: mu, gt_over_gn: gt } = parameters;
+        const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
+        const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
         typeset(
           caption,
-          `κ = ${typable(kappa)}, μ/α = ${typable(mu)}, g_t/g_n = ${typable(gt)}: ε_t = ${significant(epsilon)}`,
+          `κ = ${typable(kappa)}, μ/α = ${typable(mu)}, g_t/g_n = ${typable(gt)}${damped}: ε_t = ${significant(epsilon)}`,
         );
       }
     },

@@ -141,11 +141,15 @@ export function nearestNotch({ notches }, value) {
  * @param {string} method
  * @param {import("./parameters.js").Collision} collision
  */
-export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn }) {
+export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn, damping }) {
   const psi = gt_over_gn / mu_over_alpha;
   switch (method) {
+    case "stiff":
+      return damping === 0;
     case "table":
-      return kappa >= 1e-2 && kappa <= 1e3 && (psi === 0 || (psi >= 1e-3 && psi <= 1e3));
+      return (
+        damping === 0 && kappa >= 1e-2 && kappa <= 1e3 && (psi === 0 || (psi >= 1e-3 && psi <= 1e3))
+      );
     case "ode":
       return kappa <= 1e5;
     case "exact":

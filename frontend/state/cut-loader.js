@@ -1,7 +1,7 @@
 // @ts-check
 
 import { createLatest } from "./latest.js";
-import { axesMuOverAlpha, mapView, sameView } from "./map-view.js";
+import { axesMuOverAlpha, heldView, mapView, sameView } from "./map-view.js";
 
 /** @typedef {import("../api/client.js").CutWish} CutWish */
 
@@ -34,7 +34,8 @@ export function createCutLoader({ load, onCut, onError }) {
      */
     follow(state, dragging) {
       const { kappa } = state.collision;
-      const view = dragging && asked ? asked.view : mapView(state.collision, state);
+      const view =
+        dragging && asked ? heldView(asked.view, state.collision) : mapView(state.collision, state);
       const muOverAlpha = axesMuOverAlpha(view, state.collision);
       const isAsked =
         asked?.kappa === kappa &&

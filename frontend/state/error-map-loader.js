@@ -2,7 +2,7 @@
 
 import { accuracyQuery, canAnswer, failingOf } from "./accuracy.js";
 import { createLatest } from "./latest.js";
-import { axesMuOverAlpha, mapView, sameView } from "./map-view.js";
+import { axesMuOverAlpha, heldView, mapView, sameView } from "./map-view.js";
 
 /** @typedef {import("./map-view.js").MapView} MapView */
 /** @typedef {{kappa: number, gtOverGn: number}} Counts cells along each axis */
@@ -40,7 +40,7 @@ export function createErrorMapLoader({ load, onErrors, onNothing, onError }) {
     follow(state, dragging) {
       const { collision } = state;
       const accuracy = failingOf(state.accuracy);
-      const view = dragging && asked ? asked.view : mapView(collision, state);
+      const view = dragging && asked ? heldView(asked.view, collision) : mapView(collision, state);
       const muOverAlpha = axesMuOverAlpha(view, collision);
       if (!coversAll(accuracy.method, view, muOverAlpha)) {
         asked = null;
@@ -108,10 +108,10 @@ function countsFor({ method, steps }, dragging) {
  * @param {MapView} view
  * @param {number} muOverAlpha
  */
-function coversAll(method, { kappa, gtOverGn }, muOverAlpha) {
+function coversAll(method, { kappa, gtOverGn, damping }, muOverAlpha) {
   return [kappa.min, kappa.max].every((k) =>
     [gtOverGn.min, gtOverGn.max].every((gt) =>
-      canAnswer(method, { kappa: k, mu_over_alpha: muOverAlpha, gt_over_gn: gt }),
+      canAnswer(method, { kappa: k, mu_over_alpha: muOverAlpha, gt_over_gn: gt, damping }),
     ),
   );
 }

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { createLatest } from "./latest.js";
-import { axesMuOverAlpha, mapView, sameView } from "./map-view.js";
+import { axesMuOverAlpha, heldView, mapView, sameView } from "./map-view.js";
 
 /**
  * @typedef {import("./map-view.js").MapView} MapView
@@ -43,7 +43,8 @@ export function createMapLoader({ load, onMap, onError }) {
      * @param {boolean} dragging
      */
     follow(state, dragging) {
-      const view = dragging && asked ? asked.view : mapView(state.collision, state);
+      const view =
+        dragging && asked ? heldView(asked.view, state.collision) : mapView(state.collision, state);
       const muOverAlpha = axesMuOverAlpha(view, state.collision);
       const isAsked =
         asked?.muOverAlpha === muOverAlpha &&

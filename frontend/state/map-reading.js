@@ -13,11 +13,17 @@
  * the switches change, and is read between the cells: on the usual map with a median error of 0.001,
  * and of up to 0.2 in its first column, where κ doubles from one cell to the next.
  *
- * @param {{grid: import("../api/client.js").MapGrid, muOverAlpha: number}} map
+ * @param {{grid: import("../api/client.js").MapGrid, muOverAlpha: number, view: {damping: number}}} map
  * @param {import("./parameters.js").Collision} collision
- * @returns {MapReading | null} null beyond the map
+ * @returns {MapReading | null} null beyond the map, and for another damping
  */
-export function readMap({ grid, muOverAlpha }, { kappa, mu_over_alpha, gt_over_gn }) {
+export function readMap(
+  { grid, muOverAlpha, view },
+  { kappa, mu_over_alpha, gt_over_gn, damping },
+) {
+  if (view.damping !== damping) {
+    return null;
+  }
   const column = placeAmong(grid.kappa, kappa);
   const row = placeAmong(grid.gt_over_gn, gt_over_gn * (muOverAlpha / mu_over_alpha));
   if (!column || !row) {

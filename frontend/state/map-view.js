@@ -10,6 +10,7 @@ import { logScale, powerScale, relabelled } from "./scales.js";
  * @property {"gt_over_gn" | "psi"} vertical
  * @property {import("./scales.js").Scale} kappa
  * @property {import("./scales.js").Scale} gtOverGn
+ * @property {number} damping η of every collision on it
  */
 
 /**
@@ -46,7 +47,17 @@ export function mapView(collision, { scale, map_y: vertical }) {
     vertical,
     kappa: make(...reaching(kappa, collision.kappa, reach, both)),
     gtOverGn: make(...reaching(usual, heightOf(vertical, collision), reach, both)),
+    damping: collision.damping,
   };
+}
+
+/**
+ * The same axes for a collision that is being dragged, perhaps beyond them.
+ * @param {MapView} view
+ * @param {Collision} collision
+ */
+export function heldView(view, { damping }) {
+  return { ...view, damping };
 }
 
 /**
@@ -85,6 +96,7 @@ export function sameView(a, b) {
   return (
     a.scale === b.scale &&
     a.vertical === b.vertical &&
+    a.damping === b.damping &&
     a.kappa.min === b.kappa.min &&
     a.kappa.max === b.kappa.max &&
     a.gtOverGn.min === b.gtOverGn.min &&

@@ -5,7 +5,7 @@ import { powerScale, logScale } from "./scales.js";
 /**
  * A parameter of the collision, named as the API names it.
  * @typedef {object} Parameter
- * @property {"kappa" | "mu_over_alpha" | "gt_over_gn"} key
+ * @property {"kappa" | "mu_over_alpha" | "gt_over_gn" | "damping"} key
  * @property {string} name in words
  * @property {number} initial
  * @property {(value: number) => boolean} admits
@@ -14,7 +14,7 @@ import { powerScale, logScale } from "./scales.js";
  * @property {number[]} ticks
  */
 
-/** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number}} Collision */
+/** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} Collision */
 
 /** Number of steps of a slider, one for each press of an arrow key. */
 export const SLIDER_STEPS = 1000;
@@ -49,6 +49,15 @@ export const PARAMETERS = [
     scale: powerScale(0, 4, 0.5),
     ticks: [0, 0.1, 0.5, 1, 2, 4],
   },
+  {
+    key: "damping",
+    name: "viscous damping",
+    initial: 0,
+    admits: (value) => value >= 0,
+    requirement: "a number, 0 or greater",
+    scale: powerScale(0, 1.5, 0.5),
+    ticks: [0, 0.1, 0.5, 1, 1.5],
+  },
 ];
 
 /**
@@ -64,6 +73,7 @@ export const INITIAL_COLLISION = {
   kappa: PARAMETERS[0].initial,
   mu_over_alpha: PARAMETERS[1].initial,
   gt_over_gn: PARAMETERS[2].initial,
+  damping: PARAMETERS[3].initial,
 };
 
 /**

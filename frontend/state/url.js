@@ -134,7 +134,10 @@ function readWord(query, key, allowed, problems) {
 export function writeAddress({ collision, accuracy, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
-    query.set(key, String(collision[key]));
+    // What is not damped says nothing of damping.
+    if (key !== "damping" || collision.damping > 0) {
+      query.set(key, String(collision[key]));
+    }
   }
   for (const key of WORD_KEYS) {
     query.set(key, words[key]);

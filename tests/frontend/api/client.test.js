@@ -5,7 +5,7 @@ import { decodeArrays } from "../../../frontend/api/arrays.js";
 import { createClient, Refused, Unreachable } from "../../../frontend/api/client.js";
 import { mapView } from "../../../frontend/state/map-view.js";
 
-const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 
 const LOG = { scale: "log", map_y: "gt_over_gn" };
 

@@ -6,7 +6,7 @@ import { cutFigure } from "../../../frontend/figures/cut-figure.js";
 import { mapView } from "../../../frontend/state/map-view.js";
 import { SIZE, THEME } from "../fixtures.js";
 
-const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 const LETTERS = [
   { letter: "a", kappa: 63, psi: 2.2 },
   { letter: "e", kappa: 63, psi: 0.97 },

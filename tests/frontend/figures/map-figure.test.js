@@ -19,7 +19,7 @@ const GRID = {
   epsilon_t: [Float64Array.of(-1, 0, 1), Float64Array.of(0.1, 0.2, 0.3)],
   switches: [Int32Array.of(2, 8, 6), Int32Array.of(0, 0, 2)],
 };
-const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 
 function viewOf(scale) {
   return mapView(AT, { scale, map_y: "gt_over_gn" });

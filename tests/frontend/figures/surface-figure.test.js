@@ -5,7 +5,7 @@ import { surfaceFigure } from "../../../frontend/figures/surface-figure.js";
 import { horizontalAxis, mapView } from "../../../frontend/state/map-view.js";
 import { SIZE, THEME } from "../fixtures.js";
 
-const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 const [COLUMNS, ROWS] = [240, 180];
 const GRID = {
   kappa: new Float64Array(COLUMNS),

@@ -12,7 +12,7 @@ import {
   USUAL_ACCURACY,
 } from "../../../frontend/state/accuracy.js";
 
-const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 
 test("accuracyQuery asks with what the method heeds, and nothing else", () => {
   const accuracy = { ...USUAL_ACCURACY, tolerance: 1e-4, steps: 100, rtol: 1e-6 };

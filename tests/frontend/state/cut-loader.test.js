@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { createCutLoader, FULL_CUT, QUICK_CUT } from "../../../frontend/state/cut-loader.js";
 
 const STATE = {
-  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 },
+  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 },
   scale: "linear",
   map_y: "gt_over_gn",
 };

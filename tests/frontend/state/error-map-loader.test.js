@@ -5,7 +5,7 @@ import { USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
 import { createErrorMapLoader } from "../../../frontend/state/error-map-loader.js";
 
 const STATE = {
-  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 },
+  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 },
   accuracy: { ...USUAL_ACCURACY, method: "coulomb" },
   scale: "linear",
   map_y: "gt_over_gn",

@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { createMapLoader, FULL_MAP, QUICK_MAP } from "../../../frontend/state/map-loader.js";
 
 const STATE = {
-  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 },
+  collision: { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 },
   map: "epsilon_t",
   scale: "linear",
   map_y: "gt_over_gn",

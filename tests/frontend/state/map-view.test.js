@@ -13,7 +13,7 @@ import {
 } from "../../../frontend/state/map-view.js";
 import { seeded } from "../random.js";
 
-const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358 };
+const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 const LINEAR = { scale: "linear", map_y: "gt_over_gn" };
 const LOG = { scale: "log", map_y: "gt_over_gn" };
 const OVER_PSI = { scale: "linear", map_y: "psi" };

@@ -28,7 +28,7 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
   for (let i = 0; i < numbers.length; i += 3) {
     const [kappa, mu_over_alpha, gt_over_gn] = numbers.slice(i, i + 3);
     const state = {
-      collision: { kappa, mu_over_alpha, gt_over_gn },
+      collision: { kappa, mu_over_alpha, gt_over_gn, damping: i % 2 ? 0 : kappa },
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
       map_x: i % 5 ? "kappa" : "alpha_kappa",
