@@ -57,7 +57,7 @@ export function mapView(collision, { scale, map_y: vertical }) {
  * @param {Collision} collision
  */
 export function heldView(view, { damping }) {
-  return { ...view, damping };
+  return view.damping === damping ? view : { ...view, damping };
 }
 
 /**
