@@ -27,6 +27,7 @@ import { mountPictures } from "./panels/pictures.js";
 import { mountPresets } from "./panels/presets.js";
 import { mountResultStrip } from "./panels/result-strip.js";
 import { mountShell } from "./panels/shell.js";
+import { mountSpheresScene } from "./panels/spheres-scene.js";
 import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
 import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./state/accuracy.js";
@@ -91,6 +92,11 @@ const accuracyScene = mountAccuracyScene({
   onAccuracy: (patch) => store.set({ accuracy: { ...store.get().accuracy, ...patch } }),
   onPlace: changeCollision,
 });
+const spheresScene = mountSpheresScene({
+  load: client,
+  onError: explain,
+  onState: (patch, change) => store.set(patch, change),
+});
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   const { kappa, mu_over_alpha, gt_over_gn, damping } = preset;
@@ -98,7 +104,7 @@ const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
   store.set({ collision, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
 });
 const controls = PARAMETERS.map((parameter) => ({
-  key: parameter.key,
+  ...parameter,
   ...mountParameterControl(find(".controls"), parameter, (value, change) =>
     changeCollision({ [parameter.key]: value }, change),
   ),
@@ -165,7 +171,10 @@ mountPictures({
     map: shownMap,
     cut: shownCut,
     ...accuracyScene.shown(),
+    ...spheresScene.shown(),
   }),
+  bodies: spheresScene.bodies,
+  loadFile: client.file,
   queries: {
     collision: collisionQuery,
     trace: traceQuery,
@@ -190,6 +199,7 @@ store.subscribe((state, previous, change) => {
     drawMap();
   }
   if (!connection.isLost()) {
+    spheresScene.follow(state, change);
     ask(state, change);
   }
 });
@@ -211,8 +221,8 @@ function changeCollision(patch, change) {
 function showState(state) {
   shell.show(state);
   accuracyControl.show(state.accuracy);
-  for (const { key, show } of controls) {
-    show(state.collision[key]);
+  for (const { key, initial, show } of controls) {
+    show(state.collision[key], initial);
   }
   map.point(state.collision);
   map.options(state);
@@ -252,7 +262,10 @@ function loadAll() {
   maps.forget();
   cuts.forget();
   accuracyScene.forget();
-  ask(store.get(), { dragging: false, inputTimeStamp: performance.now() });
+  spheresScene.forget();
+  const change = { dragging: false, inputTimeStamp: performance.now() };
+  spheresScene.follow(store.get(), change);
+  ask(store.get(), change);
   loadPresets();
 }
 
@@ -277,7 +290,7 @@ function followRest(state, dragging) {
   if (state.scene === "explorer") {
     maps.follow(state, dragging);
     cuts.follow(state, dragging);
-  } else {
+  } else if (state.scene === "accuracy") {
     accuracyScene.follow(state, dragging);
   }
 }

@@ -46,6 +46,30 @@ import { decodeArrays } from "./arrays.js";
  */
 
 /**
+ * What this page reads of `/scaling`.
+ * @typedef {object} Scaling
+ * @property {number} kappa
+ * @property {number} mu_over_alpha
+ * @property {number} gt_over_gn
+ * @property {number} damping
+ * @property {number | null} psi
+ * @property {number} alpha
+ * @property {number} effective_mass_kg
+ * @property {number} tangential_stiffness_n_per_m
+ * @property {number} normal_velocity_m_s
+ * @property {number} tangential_velocity_m_s
+ * @property {number} contact_duration_s
+ * @property {number} maximum_compression_m
+ * @property {number} maximum_normal_force_n
+ * @property {number} epsilon_n
+ * @property {number | null} epsilon_t
+ * @property {number | null} switches
+ * @property {{code: string, text: string}[]} warnings
+ */
+
+/** @typedef {{normal_velocity_m_s: Float64Array, tangential_velocity_m_s: Float64Array} & Record<"epsilon_t" | "coulomb", Float64Array[]>} VelocityMap */
+
+/**
  * A collision in time steps.
  * @typedef {object} Stepped
  * @property {number} epsilon_t
@@ -82,13 +106,14 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
   /**
    * @param {string} url
    * @param {AbortSignal} [signal]
+   * @param {RequestInit} [how]
    */
-  async function get(url, signal, method = "GET") {
+  async function get(url, signal, how = {}) {
     const limit = AbortSignal.timeout(LONGEST_WAIT);
     let response;
     try {
       const until = signal ? AbortSignal.any([signal, limit]) : limit;
-      response = await fetch(url, { signal: until, method });
+      response = await fetch(url, { ...how, signal: until });
     } catch (error) {
       throw new Unreachable("The server does not answer", { cause: error });
     }
@@ -218,9 +243,53 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
       return (await get(`${base}/tradeoff?scene=${region}`, signal)).body;
     },
 
+    /** @returns {Promise<import("../state/impact.js").Material[]>} */
+    async materials() {
+      return (await get(`${base}/materials`)).body.items;
+    },
+
+    /**
+     * A collision of real bodies.
+     * @param {Record<string, any>} body
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Scaling>}
+     */
+    async scaling(body, signal) {
+      return (await get(`${base}/scaling`, signal, posted(body))).body;
+    },
+
+    /**
+     * ε_t over the velocities of an impact.
+     * @param {Record<string, any>} body
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<VelocityMap>}
+     */
+    async velocityMap(body, signal) {
+      const { body: answer } = await get(
+        `${base}/scaling/map?encoding=base64`,
+        signal,
+        posted(body),
+      );
+      return /** @type {VelocityMap} */ (decodeArrays(answer));
+    },
+
+    /**
+     * What is answered to a request that is posted, as a file.
+     * @param {import("../format/requests.js").Request} request
+     */
+    async file({ call, query, body }) {
+      const url = `${base}/${call}?${new URLSearchParams(query)}`;
+      const response = await fetch(url, posted(body ?? {}));
+      if (!response.ok) {
+        throw new Refused(`the server answered ${response.status}`);
+      }
+      return response.blob();
+    },
+
     /** Has a region measured anew. @param {string} region @returns {Promise<Run>} */
     async startRun(region) {
-      return (await get(`${base}/tradeoff/runs?scene=${region}`, undefined, "POST")).body;
+      return (await get(`${base}/tradeoff/runs?scene=${region}`, undefined, { method: "POST" }))
+        .body;
     },
 
     /** How far a measurement is. @param {string} id @returns {Promise<Run>} */
@@ -230,13 +299,22 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
 
     /** @param {string} id @returns {Promise<Run>} */
     async cancelRun(id) {
-      return (await get(`${base}/tradeoff/runs/${id}`, undefined, "DELETE")).body;
+      return (await get(`${base}/tradeoff/runs/${id}`, undefined, { method: "DELETE" })).body;
     },
 
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;
     },
+  };
+}
+
+/** @param {Record<string, any>} body @returns {RequestInit} */
+function posted(body) {
+  return {
+    method: "POST",
+    headers: { "Content-Type": "application/json" },
+    body: JSON.stringify(body),
   };
 }
 

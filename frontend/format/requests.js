@@ -5,6 +5,7 @@
  * @typedef {object} Request
  * @property {string} call as in `/trace`, without the slash
  * @property {Record<string, string>} query
+ * @property {Record<string, any>} [body] of what is posted
  */
 
 /** Marks of a URL's query that need no escaping there and read better without. */
@@ -16,7 +17,8 @@ const PLAIN_MARKS = /%2C/g;
  * @param {string} [origin] of the server, nothing for this page's own
  */
 export function addressOf({ call, query }, origin = "") {
-  return `${origin}/api/v1/${call}?${String(new URLSearchParams(query)).replace(PLAIN_MARKS, ",")}`;
+  const marks = String(new URLSearchParams(query)).replace(PLAIN_MARKS, ",");
+  return `${origin}/api/v1/${call}${marks && "?"}${marks}`;
 }
 
 /**
@@ -25,7 +27,10 @@ export function addressOf({ call, query }, origin = "") {
  * @param {string} origin
  */
 export function curlOf(request, origin) {
-  return `curl "${addressOf(request, origin)}"`;
+  const address = `curl "${addressOf(request, origin)}"`;
+  return request.body
+    ? `${address} -H "Content-Type: application/json" -d '${JSON.stringify(request.body)}'`
+    : address;
 }
 
 /**
@@ -33,7 +38,23 @@ export function curlOf(request, origin) {
  * @param {Request} request
  * @param {string} origin
  */
-export function pythonOf({ call, query }, origin) {
+export function pythonOf({ call, query, body }, origin) {
+  if (body) {
+    return `import json
+from urllib.request import Request, urlopen
+
+body = json.loads("""
+${JSON.stringify(body, null, 2)}
+""")
+request = Request(
+    "${origin}/api/v1/${call}",
+    json.dumps(body).encode(),
+    {"Content-Type": "application/json"},
+)
+with urlopen(request) as answer:
+    result = json.load(answer)
+print(list(result))`;
+  }
   const lines = Object.entries(query).map(
     ([key, value]) => `    "${key}": ${isNumber(value) ? value : JSON.stringify(value)},`,
   );

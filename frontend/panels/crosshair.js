@@ -18,17 +18,39 @@ const DIRECTIONS = {
 };
 
 /**
+ * What the axes of a map mean.
+ * @template View, Subject
+ * @typedef {object} Axes
+ * @property {(view: View, subject: Subject) => {x: number, y: number, outside: boolean}} place of what is present, as shares
+ * @property {(view: View, x: number, y: number, subject: Subject) => Record<string, number>} at what a place stands for
+ * @property {string} horizontal what of that belongs to the horizontal axis
+ * @property {string} vertical
+ * @property {(subject: Subject) => string} words
+ */
+
+/** @type {Axes<import("../state/map-view.js").MapView, import("../state/parameters.js").Collision>} */
+export const MAP_AXES = {
+  place: placeOnMap,
+  at: (view, x, y, { mu_over_alpha: mu }) => collisionAt(view, x, y, mu),
+  horizontal: "kappa",
+  vertical: "gt_over_gn",
+  words: ({ kappa, gt_over_gn: ratio }) => `κ ${typable(kappa)}, g_t/g_n ${typable(ratio)}`,
+};
+
+/**
  * The crosshair of a map, laid over the plot so that moving it draws nothing anew: by pointer, or by
  * the arrow keys.
+ * @template View, Subject
  * @param {HTMLElement} element
- * @param {(place: {kappa?: number, gt_over_gn?: number}, change: {dragging: boolean, inputTimeStamp: number}) => void} onPlace
+ * @param {Axes<View, Subject>} axes
+ * @param {(place: Record<string, number>, change: {dragging: boolean, inputTimeStamp: number}) => void} onPlace
  */
-export function mountCrosshair(element, onPlace) {
+export function mountCrosshair(element, axes, onPlace) {
   const beyond = find(".beyond", element);
   layOver(element, MAP_MARGIN);
-  /** @type {import("../state/map-view.js").MapView | null} */
+  /** @type {View | null} */
   let view = null;
-  /** @type {import("../state/parameters.js").Collision | null} */
+  /** @type {Subject | null} */
   let present = null;
   /** @type {DOMRect | null} */
   let box = null;
@@ -39,8 +61,7 @@ export function mountCrosshair(element, onPlace) {
     if (view && box && present) {
       const x = (event.clientX - box.left) / box.width;
       const y = (box.bottom - event.clientY) / box.height;
-      const there = collisionAt(view, x, y, present.mu_over_alpha);
-      onPlace(there, { dragging: true, inputTimeStamp: event.timeStamp });
+      onPlace(axes.at(view, x, y, present), { dragging: true, inputTimeStamp: event.timeStamp });
     }
   }
 
@@ -64,16 +85,13 @@ export function mountCrosshair(element, onPlace) {
     const direction = DIRECTIONS[event.key];
     if (direction && view && present) {
       event.preventDefault();
-      const at = placeOnMap(view, present);
+      const at = axes.place(view, present);
       const step = event.shiftKey ? 10 * KEY_STEP : KEY_STEP;
-      const next = collisionAt(
-        view,
-        at.x + step * direction.right,
-        at.y + step * direction.up,
-        present.mu_over_alpha,
-      );
+      const { right, up } = direction;
+      const next = axes.at(view, at.x + step * right, at.y + step * up, present);
       // The other of the two stays to the last digit.
-      const moved = direction.right ? { kappa: next.kappa } : { gt_over_gn: next.gt_over_gn };
+      const moving = right ? axes.horizontal : axes.vertical;
+      const moved = { [moving]: next[moving] };
       onPlace(moved, { dragging: true, inputTimeStamp: event.timeStamp });
       isMoving = true;
     }
@@ -92,17 +110,17 @@ export function mountCrosshair(element, onPlace) {
   /** In words, but not at every step of a drag. */
   function describe() {
     if (present) {
-      const { kappa, gt_over_gn: ratio } = present;
+      const words = axes.words(present);
       element.setAttribute(
         "aria-label",
-        `κ ${typable(kappa)}, g_t/g_n ${typable(ratio)}. Arrow keys move it, with Shift in large steps.`,
+        `${words}. Arrow keys move it, with Shift in large steps.`,
       );
     }
   }
 
   function move() {
     if (view && present) {
-      const { x, y, outside } = placeOnMap(view, present);
+      const { x, y, outside } = axes.place(view, present);
       element.style.setProperty("--x", String(x));
       element.style.setProperty("--y", String(1 - y));
       element.toggleAttribute("data-placed", true);
@@ -118,9 +136,9 @@ export function mountCrosshair(element, onPlace) {
       describe();
     },
 
-    /** @param {import("../state/parameters.js").Collision} collision */
-    point(collision) {
-      present = collision;
+    /** What is present. @param {Subject} subject */
+    point(subject) {
+      present = subject;
       move();
     },
   };

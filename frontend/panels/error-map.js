@@ -5,7 +5,7 @@ import { ERROR_DECADES, errorMapFigure } from "../figures/error-map-figure.js";
 import { powerOfTen } from "../format/number.js";
 import { METHODS, titleOf } from "../state/accuracy.js";
 import { horizontalAxis } from "../state/map-view.js";
-import { mountCrosshair } from "./crosshair.js";
+import { MAP_AXES, mountCrosshair } from "./crosshair.js";
 import { byTestId, find } from "./find.js";
 import { createPlot } from "./plot.js";
 import { currentTheme, onThemeChange } from "./theme.js";
@@ -14,13 +14,13 @@ import { withhold } from "./withhold.js";
 /**
  * Where on the map the chosen method is off.
  * @param {HTMLElement} element
- * @param {Parameters<typeof mountCrosshair>[1]} onPlace
+ * @param {(place: Record<string, number>, change: {dragging: boolean, inputTimeStamp: number}) => void} onPlace
  */
 export function mountErrorMap(element, onPlace) {
   const plotElement = find(".plot", element);
   const plot = createPlot(plotElement, errorMapFigure);
   const stage = find(".plot-stage", element);
-  const crosshair = mountCrosshair(find(".crosshair", element), onPlace);
+  const crosshair = mountCrosshair(find(".crosshair", element), MAP_AXES, onPlace);
   drawLegend();
   const endThemeChanges = onThemeChange(drawLegend);
 

@@ -2,7 +2,7 @@
 
 import { mapFigure, mostSwitches } from "../figures/map-figure.js";
 import { typable } from "../format/number.js";
-import { mountCrosshair } from "./crosshair.js";
+import { MAP_AXES, mountCrosshair } from "./crosshair.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
@@ -13,14 +13,14 @@ import { onThemeChange } from "./theme.js";
  * The map with its crosshair, which is laid over the plot so that moving it draws nothing anew.
  * @param {HTMLElement} element
  * @param {object} handlers
- * @param {(place: {kappa?: number, gt_over_gn?: number}, change: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onPlace
+ * @param {(place: Record<string, number>, change: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onPlace
  * @param {(patch: Record<string, string>) => void} handlers.onOption
  */
 export function mountMap(element, { onPlace, onOption }) {
   const plotElement = find(".plot", element);
   const plot = createPlot(plotElement, mapFigure);
   const legend = createMapLegend(find(".map-legend", element));
-  const crosshair = mountCrosshair(find(".crosshair", element), onPlace);
+  const crosshair = mountCrosshair(find(".crosshair", element), MAP_AXES, onPlace);
   const surface = createSurface(find(".plot-stage", element));
   /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;

@@ -11,7 +11,7 @@ const TYPING_PAUSE = 600;
 /**
  * A slider, a number field and a reset for one parameter.
  * @param {HTMLElement} parent
- * @param {import("../state/parameters.js").Parameter} parameter
+ * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
  * @param {(value: number, change: {dragging: boolean, inputTimeStamp: number}) => void} onChange
  */
 export function mountParameterControl(parent, parameter, onChange) {
@@ -24,7 +24,9 @@ export function mountParameterControl(parent, parameter, onChange) {
   const problem = find(".parameter-problem", root);
   const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
-  let value = parameter.initial;
+  let value = NaN;
+  /** What a reset goes back to. */
+  let usual = NaN;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
 
@@ -41,8 +43,6 @@ export function mountParameterControl(parent, parameter, onChange) {
   slider.setAttribute("aria-label", `${plainSymbol}, ${parameter.name}`);
   slider.max = String(SLIDER_STEPS);
   reset.dataset.testid = `${hook}-reset`;
-  reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${typable(parameter.initial)}`);
-  reset.title = `Back to ${typable(parameter.initial)}`;
   find(".parameter-ticks", root).append(...ticks(parameter));
 
   slider.addEventListener("input", (event) => {
@@ -82,7 +82,7 @@ export function mountParameterControl(parent, parameter, onChange) {
     }
   });
   reset.addEventListener("click", (event) => {
-    onChange(parameter.initial, { dragging: false, inputTimeStamp: event.timeStamp });
+    onChange(usual, { dragging: false, inputTimeStamp: event.timeStamp });
     // The button has done its work and gives the focus up; a finger wants no keyboard on the screen.
     if (event.detail === 0) {
       field.focus();
@@ -103,12 +103,20 @@ export function mountParameterControl(parent, parameter, onChange) {
 
   parent.append(root);
   return {
-    /** @param {number} next */
-    show(next) {
+    /**
+     * @param {number} next
+     * @param {number} initial what a reset goes back to
+     */
+    show(next, initial) {
       value = next;
+      if (initial !== usual) {
+        usual = initial;
+        reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${typable(usual)}`);
+        reset.title = `Back to ${typable(usual)}`;
+      }
       slider.valueAsNumber = sliderStep(parameter, value);
       slider.setAttribute("aria-valuetext", typable(value));
-      reset.disabled = value === parameter.initial;
+      reset.disabled = value === usual;
       if (document.activeElement !== field) {
         field.value = typable(value);
         tellProblem(false);
@@ -121,7 +129,7 @@ export function mountParameterControl(parent, parameter, onChange) {
   };
 }
 
-/** @param {import("../state/parameters.js").Parameter} parameter */
+/** @param {Pick<import("../state/parameters.js").Parameter, "ticks" | "scale">} parameter */
 function ticks(parameter) {
   return parameter.ticks.map((tick) => {
     const mark = document.createElement("span");

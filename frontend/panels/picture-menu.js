@@ -2,6 +2,7 @@
 
 import { addressOf, curlOf, fileName, frameOf, pythonOf } from "../format/requests.js";
 import { writeAddress } from "../state/url.js";
+import { download } from "./download.js";
 import { find } from "./find.js";
 import { saveDrawing } from "./save-drawing.js";
 import { savePicture } from "./save-picture.js";
@@ -26,8 +27,9 @@ const GAP = 4;
  * @param {HTMLElement} panel with its name as `data-panel`
  * @param {Picture} picture
  * @param {() => import("../state/url.js").PageState} present
+ * @param {(request: import("../format/requests.js").Request) => Promise<Blob>} loadFile the answer to what is posted, which no link can ask
  */
-export function mountPictureMenu(panel, picture, present) {
+export function mountPictureMenu(panel, picture, present, loadFile) {
   const name = panel.dataset.panel ?? "";
   // A surface in depth stands before the flat map; what is drawn is looked for when it is saved.
   const drawn = () => panel.querySelector(".surface") ?? panel.querySelector(".plot, svg");
@@ -47,6 +49,14 @@ export function mountPictureMenu(panel, picture, present) {
   const data = ["csv", "json"].map((format) => {
     const link = document.createElement("a");
     link.textContent = format.toUpperCase();
+    link.addEventListener("click", async (event) => {
+      const request = picture.request();
+      if (request.body) {
+        event.preventDefault();
+        const file = await loadFile({ ...request, query: { ...request.query, format } });
+        download(URL.createObjectURL(file), link.download);
+      }
+    });
     return { format, link };
   });
   const pictures = /** @type {("png" | "svg")[]} */ (["png", "svg"]).map((format) =>

@@ -7,7 +7,9 @@ import {
   errorTable,
   mapTable,
   resultTable,
+  sphereCutTable,
   steppedTable,
+  velocityMapTable,
   velocityTable,
 } from "../figures/tables.js";
 import { tradeoffTable } from "../figures/tradeoff-table.js";
@@ -28,6 +30,10 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @property {import("../api/client.js").Tradeoff | null} tradeoff
  * @property {{errors: Float64Array[], wish: import("../state/error-map-loader.js").ErrorMapWish} | null} errors
  * @property {import("../api/client.js").Stepped | null} stepped
+ * @property {import("../api/client.js").Scaling | null} scaling
+ * @property {import("../api/client.js").VelocityMap | null} velocities
+ * @property {import("../api/client.js").VelocityMap | null} sphereCut
+ * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} place
  * @property {{cut: import("../api/client.js").Cut, kappa: number, view: import("../state/map-view.js").MapView} | null} cut
  */
 
@@ -38,6 +44,8 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {object} page
  * @param {() => import("../state/url.js").PageState} page.present
  * @param {() => Shown} page.shown
+ * @param {(request: import("../format/requests.js").Request) => Promise<Blob>} page.loadFile
+ * @param {() => Record<"scaling" | "map" | "cut", Record<string, any>>} page.bodies what is posted for the pictures of real spheres
  * @param {object} page.queries what the server is asked for each picture
  * @param {(collision: Collision) => Record<string, string>} page.queries.collision
  * @param {(collision: Collision) => Record<string, string>} page.queries.trace
@@ -46,8 +54,9 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {(wish: import("../state/error-map-loader.js").ErrorMapWish) => Record<string, string>} page.queries.errorMap
  * @param {(collision: Collision, accuracy: Record<string, string>) => Record<string, string>} page.queries.stepped
  */
-export function mountPictures({ present, shown, queries }) {
+export function mountPictures({ present, shown, queries, bodies, loadFile }) {
   const parameters = () => ({ ...present().collision });
+  const impactParameters = () => ({ material: present().impact.material });
   const trace = () => ({ call: "trace", query: queries.trace(present().collision) });
 
   /** @type {Record<string, import("./picture-menu.js").Picture>} */
@@ -151,6 +160,36 @@ export function mountPictures({ present, shown, queries }) {
       parameters,
       table: () => made(shown().stepped, steppedTable),
     },
+    velocities: {
+      title: "ε_t over the velocities",
+      request: () => ({ call: "scaling/map", query: {}, body: bodies().map }),
+      parameters: impactParameters,
+      table: () => made(shown().velocities, velocityMapTable),
+    },
+    sphere_cut: {
+      title: "ε_t over the tangential velocity",
+      request: () => ({ call: "scaling/map", query: {}, body: bodies().cut }),
+      parameters: impactParameters,
+      table: () => made(shown().sphereCut, sphereCutTable),
+    },
+    impact: {
+      title: "Impact",
+      request: () => ({ call: "scaling", query: {}, body: bodies().scaling }),
+      parameters: impactParameters,
+    },
+    place: {
+      title: "Place on the universal map",
+      request() {
+        const { collision } = present();
+        const view = shown().place?.view ?? mapView(collision, PLACE_AXES);
+        return { call: "map", query: queries.map(1, view, FULL_MAP) };
+      },
+      parameters,
+      table: () =>
+        made(shown().place, ({ grid, view }) =>
+          mapTable({ grid, quantity: "epsilon_t" }, rowsOf(view), present().collision),
+        ),
+    },
     steps: {
       title: "Steps for an error",
       request() {
@@ -171,9 +210,12 @@ export function mountPictures({ present, shown, queries }) {
   }
 
   for (const [name, picture] of Object.entries(pictures)) {
-    mountPictureMenu(find(`[data-panel="${name}"]`), picture, present);
+    mountPictureMenu(find(`[data-panel="${name}"]`), picture, present, loadFile);
   }
 }
+
+/** Those of the universal map. */
+const PLACE_AXES = /** @type {const} */ ({ scale: "log", map_y: "psi" });
 
 /**
  * What is made of something, if it is there.

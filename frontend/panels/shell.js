@@ -82,7 +82,8 @@ export function mountShell({ present, onOption }) {
         panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
       }
       for (const part of document.querySelectorAll("main [data-scene]")) {
-        part.toggleAttribute("hidden", part.getAttribute("data-scene") !== scene);
+        const own = part.getAttribute("data-scene")?.split(" ") ?? [];
+        part.toggleAttribute("hidden", !own.includes(scene));
       }
       for (const { id, link } of links) {
         link.href = writeAddress({ ...state, scene: id });

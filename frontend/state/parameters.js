@@ -78,7 +78,7 @@ export const INITIAL_COLLISION = {
 
 /**
  * The number a text stands for, or null where the parameter does not admit it.
- * @param {Parameter} parameter
+ * @param {Pick<Parameter, "admits">} parameter
  * @param {string} text
  * @returns {number | null}
  */
@@ -102,7 +102,7 @@ export function parseNumber(text) {
 
 /**
  * The slider's step nearest to a value.
- * @param {Parameter} parameter
+ * @param {Pick<Parameter, "scale">} parameter
  * @param {number} value
  */
 export function sliderStep(parameter, value) {
@@ -112,7 +112,7 @@ export function sliderStep(parameter, value) {
 
 /**
  * The value at a slider's step, to four digits, so that it reads as it was meant.
- * @param {Parameter} parameter
+ * @param {Pick<Parameter, "scale">} parameter
  * @param {number} step
  */
 export function valueAtStep(parameter, step) {

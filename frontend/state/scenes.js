@@ -2,10 +2,11 @@
 
 /**
  * The scenes of the page in the order of its navigation; the first is the usual one. What belongs to
- * one of them alone carries its id as `data-scene`.
+ * some of them alone carries their ids as `data-scene`.
  * @type {{id: string, title: string}[]}
  */
 export const SCENES = [
   { id: "explorer", title: "Explorer" },
+  { id: "spheres", title: "Real spheres" },
   { id: "accuracy", title: "Speed and accuracy" },
 ];

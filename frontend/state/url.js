@@ -2,6 +2,7 @@
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
+import { IMPACT_PARAMETERS, impactOf } from "./impact.js";
 import { PARAMETERS, parseNumber, parseParameter } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
@@ -20,16 +21,18 @@ const WORDS = {
 const PANELS = {
   explorer: ["force", "velocity", "map", "cut", "contact"],
   accuracy: ["tradeoff", "error_map", "overlay", "steps"],
+  spheres: ["velocities", "sphere_cut", "impact", "place"],
 };
 
 /** The same of the page around the pictures; they stand in the address only where they are not the first. */
 const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
-  embed: ["none", "result", ...PANELS.explorer, ...PANELS.accuracy],
+  embed: ["none", "result", ...PANELS.explorer, ...PANELS.accuracy, ...PANELS.spheres],
   region: REGIONS.map(({ id }) => id),
   statistic: STATISTICS.map(({ id }) => id),
   wanted_error: WANTED_ERRORS,
+  velocity_law: ["epsilon_t", "coulomb"],
 };
 
 /** How ε_t is got; it stands in the address only where it is not the usual way. */
@@ -37,6 +40,9 @@ const ACCURACY_WORDS = {
   method: METHODS.map(({ id }) => id),
   integrator: INTEGRATORS.map(({ id }) => id),
 };
+
+/** The paper's own, of Fig. 2. What else there is, the server knows. */
+const USUAL_MATERIAL = "steel";
 
 const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
 
@@ -56,6 +62,8 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} region whose measurement is shown
  * @property {string} statistic of the errors there
  * @property {string} wanted_error for which the steps are asked
+ * @property {string} velocity_law whose ε_t is shown over the velocities
+ * @property {import("./impact.js").Impact} impact of real spheres
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
 
@@ -89,7 +97,27 @@ export function readAddress(search) {
   const own = Object.entries(PANELS).find(([, panels]) => panels.includes(words.embed));
   words.scene = own?.[0] ?? words.scene;
   const accuracy = readAccuracy(query, problems);
-  return { state: /** @type {PageState} */ ({ collision, accuracy, ...words }), problems };
+  const impact = readImpact(query, problems);
+  return { state: /** @type {PageState} */ ({ collision, accuracy, impact, ...words }), problems };
+}
+
+/**
+ * @param {URLSearchParams} query
+ * @param {string[]} problems to which those of it are added
+ */
+function readImpact(query, problems) {
+  const impact = impactOf(query.get("material") ?? USUAL_MATERIAL);
+  for (const parameter of IMPACT_PARAMETERS) {
+    const text = query.get(parameter.key);
+    const value = text === null ? null : parseParameter(parameter, text);
+    if (text !== null && value === null) {
+      problems.push(
+        `${PLAIN_SYMBOLS[parameter.key]} must be ${parameter.requirement}, not “${shortened(text)}”`,
+      );
+    }
+    impact[parameter.key] = value;
+  }
+  return impact;
 }
 
 /**
@@ -131,7 +159,7 @@ function readWord(query, key, allowed, problems) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, accuracy, ...words }) {
+export function writeAddress({ collision, accuracy, impact, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     // What is not damped says nothing of damping.
@@ -145,6 +173,11 @@ export function writeAddress({ collision, accuracy, ...words }) {
   for (const [key, usual] of Object.entries(USUAL_ACCURACY)) {
     const value = accuracy[/** @type {keyof typeof accuracy} */ (key)];
     if (value !== usual) {
+      query.set(key, String(value));
+    }
+  }
+  for (const [key, value] of Object.entries(impact)) {
+    if (value !== null && value !== USUAL_MATERIAL) {
       query.set(key, String(value));
     }
   }

@@ -26,6 +26,8 @@ SCENES = {
     "explorer": "",
     "explorer-figure-5-a": "kappa=63&mu_over_alpha=1.4&gt_over_gn=3.08",
     "explorer-stiff-limit": "kappa=2000&mu_over_alpha=1.4&gt_over_gn=1",
+    "spheres": "scene=spheres",
+    "spheres-measured": "scene=spheres&material=alumina-on-glass",
     "accuracy": "scene=accuracy",
     "accuracy-forward-euler": "scene=accuracy&method=timestep&steps=100&integrator=forward_euler",
     "explorer-switches-log": "kappa=100&mu_over_alpha=1&gt_over_gn=0.3&map=switches&scale=log",

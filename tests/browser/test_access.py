@@ -22,6 +22,7 @@ RULES = [
 # Every state whose parts are not on the first view.
 STATES = {
     "first": "/",
+    "real spheres": "/?scene=spheres&material=alumina-on-glass",
     "speed and accuracy": "/?scene=accuracy&method=timestep",
     "switches on logarithmic axes": "/?kappa=2000&map=switches&scale=log",
     "no such address": "/?kappa=spring",
@@ -53,7 +54,9 @@ FOCUSED = """() => {
 @pytest.mark.parametrize(
     "state",
     [
-        s if s in {"first", "speed and accuracy"} else pytest.param(s, marks=pytest.mark.verify)
+        s
+        if s in {"first", "real spheres", "speed and accuracy"}
+        else pytest.param(s, marks=pytest.mark.verify)
         for s in STATES
     ],
 )

@@ -11,6 +11,7 @@ pytestmark = pytest.mark.browser
 
 PANELS = ["result", "force", "velocity", "contact", "map", "cut"]
 ACCURACY_PANELS = ["tradeoff", "error_map", "overlay", "steps"]
+SPHERES_PANELS = ["velocities", "sphere_cut", "impact", "place"]
 
 LAYOUT_SHIFT = """() => new Promise((resolve) => {
   let sum = 0;
@@ -48,12 +49,12 @@ def test_colours_are_those_chosen_and_stand_in_the_address(page: Page, server: s
     assert line.evaluate("(e) => e.style.stroke") == stroke
 
 
-@pytest.mark.parametrize("panel", PANELS + ACCURACY_PANELS)
+@pytest.mark.parametrize("panel", PANELS + ACCURACY_PANELS + SPHERES_PANELS)
 def test_embedded_panel_stands_alone_and_leads_to_the_full_page(page: Page, panel: str):
     page.set_viewport_size({"width": 480, "height": 360})
     page.goto(f"/?embed={panel}&kappa=20")
     page.get_by_test_id("full-page").wait_for()
-    for each in PANELS + ACCURACY_PANELS:
+    for each in PANELS + ACCURACY_PANELS + SPHERES_PANELS:
         assert page.locator(f"[data-panel={each}]").is_visible() == (each == panel)
     assert not page.get_by_test_id("share").is_visible()
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 480

@@ -28,6 +28,15 @@ test("pythonOf writes numbers as numbers and words as words", () => {
   assert.match(program, /urlopen\("https:\/\/example\.org\/api\/v1\/map\?" \+ urlencode/);
 });
 
+test("what is posted is written out for the shell and for Python", () => {
+  const request = { call: "scaling", query: {}, body: { friction_coefficient: 0.4 } };
+  assert.equal(
+    curlOf(request, ORIGIN),
+    `curl "${ORIGIN}/api/v1/scaling" -H "Content-Type: application/json" -d '{"friction_coefficient":0.4}'`,
+  );
+  assert.match(pythonOf(request, ORIGIN), /"friction_coefficient": 0\.4/);
+});
+
 test("frameOf escapes the address for an attribute", () => {
   assert.match(frameOf("/?a=1&b=2", "Map"), /src="\/\?a=1&amp;b=2" title="Map"/);
 });

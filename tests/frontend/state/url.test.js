@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
+import { impactOf } from "../../../frontend/state/impact.js";
 import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
@@ -21,6 +22,8 @@ const USUAL = {
   region: "figure4",
   statistic: "p95",
   wanted_error: "1e-3",
+  velocity_law: "epsilon_t",
+  impact: impactOf("steel"),
 };
 
 test("readAddress gives back exactly the state that writeAddress wrote", () => {
@@ -48,6 +51,11 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       region: ["figure4", "solids"][i % 2],
       statistic: ["p95", "median", "max"][(i >> 1) % 3],
       wanted_error: ["1e-3", "1e-5"][i % 2],
+      velocity_law: ["epsilon_t", "coulomb"][i % 2],
+      impact: {
+        ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
+        radius_m: i % 4 > 1 ? kappa : null,
+      },
     };
     assert.deepEqual(readAddress(writeAddress(state)), { state, problems: [] });
   }

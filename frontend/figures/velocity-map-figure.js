@@ -1,0 +1,53 @@
+// @ts-check
+
+import { restitutionStops } from "./color-scales.js";
+import { baseLayout, MAP_MARGIN } from "./plot-area.js";
+import { shareAxis } from "./share-axis.js";
+
+/**
+ * ε_t of one pair of bodies over the velocities of the impact, as in Figs. 1 and 2, in m/s.
+ * @param {{cells: Float64Array[], view: ReturnType<typeof import("../state/impact.js").velocityView>}} subject
+ * @param {import("./theme.js").Theme} theme
+ * @param {import("./plot-area.js").Size} size
+ * @returns {import("./plot-area.js").Figure}
+ */
+export function velocityMapFigure({ cells, view }, theme, size) {
+  return {
+    data: [
+      {
+        name: "epsilon_t",
+        type: "heatmap",
+        z: cells,
+        x0: 0,
+        dx: 1 / (cells[0].length - 1),
+        y0: 0,
+        dy: 1 / (cells.length - 1),
+        zmin: -1,
+        zmax: 1,
+        colorscale: restitutionStops(theme.dark),
+        showscale: false,
+        zsmooth: "fast",
+      },
+    ],
+    layout: {
+      ...baseLayout(theme, size, MAP_MARGIN),
+      xaxis: {
+        ...shareAxis(theme, view.normal, "linear"),
+        title: axisTitle("<i>g</i><sub>n</sub> in m/s", 4, theme),
+      },
+      yaxis: {
+        ...shareAxis(theme, view.tangential, "linear"),
+        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 2, theme),
+      },
+    },
+  };
+}
+
+/**
+ * @param {string} text
+ * @param {number} standoff
+ * @param {import("./theme.js").Theme} theme
+ */
+export function axisTitle(text, standoff, { unit, ink }) {
+  return { text, standoff: standoff * unit, font: { size: 13 * unit, color: ink } };
+}

@@ -1,0 +1,83 @@
+// @ts-check
+
+import { significant } from "../format/number.js";
+import { byTestId } from "./find.js";
+import { typeset } from "./typeset.js";
+
+/**
+ * What an impact is in SI units and in scaled terms, and where the model is left.
+ * @param {HTMLElement} element
+ */
+export function createImpactResult(element) {
+  const list = byTestId("impact-result", element);
+  const warnings = byTestId("impact-warnings", element);
+
+  return {
+    /** @param {import("../api/client.js").Scaling} scaling */
+    show(scaling) {
+      list.replaceChildren(...rowsOf(scaling).flatMap(([name, value]) => pair(name, value)));
+      warnings.replaceChildren(
+        ...scaling.warnings.map(({ text }) => {
+          const item = document.createElement("li");
+          typeset(item, text);
+          return item;
+        }),
+      );
+    },
+  };
+}
+
+/**
+ * @param {import("../api/client.js").Scaling} scaling
+ * @returns {[string, string][]}
+ */
+export function rowsOf(scaling) {
+  return [
+    ["contact lasts", inUnits(scaling.contact_duration_s, "s")],
+    ["largest compression", inUnits(scaling.maximum_compression_m, "m")],
+    ["largest normal force", inUnits(scaling.maximum_normal_force_n, "N")],
+    ["effective mass", inUnits(1000 * scaling.effective_mass_kg, "g")],
+    ["k_t", `${significant(scaling.tangential_stiffness_n_per_m, 3)} N/m`],
+    ["κ", significant(scaling.kappa)],
+    ["μ/α", significant(scaling.mu_over_alpha)],
+    ["g_t/g_n", significant(scaling.gt_over_gn)],
+    ["ψ", significant(scaling.psi ?? Infinity)],
+    ["η", significant(scaling.damping)],
+    ["ε_n", significant(scaling.epsilon_n)],
+    ["ε_t", significant(scaling.epsilon_t)],
+  ];
+}
+
+/** @type {[number, string][]} */
+const PREFIXES = [
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
+];
+
+/**
+ * A quantity in the multiple of its unit that reads best.
+ * @param {number} value
+ * @param {string} unit
+ */
+export function inUnits(value, unit) {
+  const found = PREFIXES.find(([factor]) => Math.abs(value) >= factor);
+  const isFar = Math.abs(value) >= 1e9;
+  const [factor, prefix] = found && !isFar ? found : [1, ""];
+  return `${significant(value / factor, 4)} ${prefix}${unit}`;
+}
+
+/**
+ * @param {string} name
+ * @param {string} value
+ */
+function pair(name, value) {
+  const term = document.createElement("dt");
+  const description = document.createElement("dd");
+  typeset(term, name);
+  description.textContent = value;
+  return [term, description];
+}
