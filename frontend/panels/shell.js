@@ -4,7 +4,7 @@ import { significant, typable } from "../format/number.js";
 import { SCENES } from "../state/scenes.js";
 import { writeAddress } from "../state/url.js";
 import { copyText } from "./copy.js";
-import { byTestId } from "./find.js";
+import { byTestId, find } from "./find.js";
 import { typeset } from "./typeset.js";
 
 /** @typedef {import("../state/url.js").PageState} PageState */
@@ -26,6 +26,7 @@ export function mountShell({ present, onOption }) {
   const scenes = byTestId("scenes");
   const caption = byTestId("embed-caption");
   const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
+  const skip = /** @type {HTMLAnchorElement} */ (find(".skip"));
   const usualName = share.textContent;
   // Open from the start where the page would else end above it.
   /** @type {HTMLDetailsElement} */ (byTestId("symbols")).open = matchMedia(TALL_DESK).matches;
@@ -85,6 +86,7 @@ export function mountShell({ present, onOption }) {
         const own = part.getAttribute("data-scene")?.split(" ") ?? [];
         part.toggleAttribute("hidden", !own.includes(scene));
       }
+      skip.href = scene === "spheres" ? "#impact-controls" : "#controls";
       for (const { id, link } of links) {
         link.href = writeAddress({ ...state, scene: id });
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");

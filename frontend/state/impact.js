@@ -136,7 +136,7 @@ export function contactBody(material, impact) {
  * @param {{normal_velocity_m_s: number | null, tangential_velocity_m_s: number | null}} values
  */
 export function velocityView({ normal_velocity_m_s: normal, tangential_velocity_m_s: tangential }) {
-  const most = roundedUp(Math.max(normal ?? 1, tangential ?? 0, 1e-6));
+  const most = roundedUp(1.1 * Math.max(normal ?? 1, tangential ?? 0, 1e-6));
   return { normal: powerScale(most / 200, most, 1), tangential: powerScale(0, most, 1), most };
 }
 
