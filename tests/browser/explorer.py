@@ -39,7 +39,8 @@ def number(shown: str) -> float:
 def collision_of(page: Page) -> dict[str, float]:
     """The parameters that the address bar holds."""
     query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
-    return {name: float(query[name][0]) for name in PARAMETERS.values()}
+    names = [*PARAMETERS.values(), *(["damping"] if "damping" in query else [])]
+    return {name: float(query[name][0]) for name in names}
 
 
 def ask(server: str, call: str, **parameters: object) -> dict:

@@ -171,3 +171,19 @@ def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, serve
     page.unroute_all()
     expect(page.get_by_test_id("banner")).to_be_empty(timeout=15_000)
     settle(page, server)
+
+
+def test_damping_moves_everything(page: Page, server: str):
+    page.goto("/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
+    settle(page, server)
+    field = page.get_by_test_id("damping-field")
+    field.fill("0.3")
+    field.press("Enter")
+    settle(page, server)
+    assert collision_of(page)["damping"] == 0.3
+    # model.md: ε_n at η = 0.3
+    assert text(page, "epsilon-n") == "0.7221"
+    assert int(text(page, "switches")) % 2 == 1
+    page.locator("[data-preset='figure-6']").click()
+    settle(page, server)
+    assert "damping" not in page.url
