@@ -30,16 +30,16 @@ import { mountShell } from "./panels/shell.js";
 import { mountSpheresScene } from "./panels/spheres-scene.js";
 import { mountTimeCursor } from "./panels/time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./panels/trace-plots.js";
-import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./state/accuracy.js";
+import { sameAccuracy } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createConnection } from "./state/connection.js";
+import { createCollisionLoad } from "./state/collision-load.js";
 import { createLatest } from "./state/latest.js";
 import { createCutLoader, FULL_CUT } from "./state/cut-loader.js";
 import { createMapLoader } from "./state/map-loader.js";
 import { horizontalAxis, scaleFor } from "./state/map-view.js";
 import { readMap } from "./state/map-reading.js";
 import { PARAMETERS, sameCollision } from "./state/parameters.js";
-import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./state/drawable.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 
@@ -111,7 +111,7 @@ const controls = PARAMETERS.map((parameter) => ({
 }));
 
 const collisions = createLatest({
-  load: loadCollision,
+  load: createCollisionLoad(client),
   onAnswer: showCollision,
   onError: explain,
 });
@@ -144,7 +144,7 @@ const cuts = createCutLoader({
 
 /** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
 let shownMap = null;
-/** @type {Awaited<ReturnType<typeof loadCollision>> | null} */
+/** @type {import("./state/collision-load.js").LoadedCollision | null} */
 let shownCollision = null;
 /** @type {{cut: import("./api/client.js").Cut, kappa: number, muOverAlpha: number, view: import("./state/map-view.js").MapView} | null} */
 let shownCut = null;
@@ -320,47 +320,9 @@ async function loadPresets() {
 }
 
 /**
- * @typedef {object} CollisionWish
- * @property {Collision} collision
- * @property {import("./state/accuracy.js").Accuracy} accuracy
- * @property {Change} change
- */
-
-/**
- * The exact collision, and what the chosen method makes of ε_t.
- * @param {CollisionWish} wish
- * @param {AbortSignal} signal
- */
-async function loadCollision({ collision, accuracy }, signal) {
-  const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
-  const isOffered = canAnswer(accuracy.method, collision);
-  const [exactly, answer] = await Promise.all([
-    loadExactCollision(collision, signal),
-    isUsual || !isOffered ? null : client.answer(collision, accuracyQuery(accuracy), signal),
-  ]);
-  return { ...exactly, result: { ...exactly.result, ...answer }, isOffered };
-}
-
-/**
- * The collision with its trace, or, where it switches too often for a picture, without.
- * @param {Collision} collision
- * @param {AbortSignal} signal
- */
-async function loadExactCollision(collision, signal) {
-  if (mayBeTooStiffToDraw(collision)) {
-    const result = await client.collision(collision, signal);
-    if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
-      return { result, trace: null, reason: whyNotDrawn(result) };
-    }
-  }
-  const trace = await client.trace(collision, signal);
-  return { result: trace, trace, reason: "" };
-}
-
-/**
  * The strip and the force trace first; what can wait a frame, after them.
- * @param {Awaited<ReturnType<typeof loadCollision>>} answer
- * @param {CollisionWish} wish
+ * @param {import("./state/collision-load.js").LoadedCollision} answer
+ * @param {import("./state/collision-load.js").CollisionWish} wish
  */
 function showCollision(answer, { collision, accuracy, change }) {
   shownCollision = answer;

@@ -63,7 +63,7 @@ export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
 
 /**
  * The most switches anywhere on a map.
- * @param {import("../api/client.js").MapGrid} grid
+ * @param {{switches: Int32Array[]}} grid
  */
 export function mostSwitches({ switches }) {
   return switches.reduce((most, row) => row.reduce((a, b) => Math.max(a, b), most), 0);
@@ -71,7 +71,7 @@ export function mostSwitches({ switches }) {
 
 /**
  * The colours of a quantity and the range they span.
- * @param {import("../api/client.js").MapGrid} grid
+ * @param {{switches: Int32Array[]}} grid
  * @param {"epsilon_t" | "switches"} quantity
  * @param {boolean} dark
  */

@@ -21,8 +21,18 @@ const ROWS = 54;
 const NO_MARGIN = { l: 0, r: 0, t: 0, b: 0 };
 
 /**
- * The map as a surface, as in Fig. 3: the same grid, coarser.
- * @param {import("./map-figure.js").ShownMap & {place: Place | null}} map
+ * What is needed of a map, of whatever its axes are.
+ * @typedef {object} Surface
+ * @property {Pick<import("../api/client.js").MapGrid, "kappa" | "gt_over_gn" | "epsilon_t"> & {switches: Int32Array[]}} grid
+ * @property {{scale: "linear" | "log", vertical: keyof typeof PLOT_SYMBOLS, gtOverGn: import("../state/scales.js").Scale}} view
+ * @property {{symbol: keyof typeof PLOT_SYMBOLS, scale: import("../state/scales.js").Scale}} horizontal
+ * @property {"epsilon_t" | "switches"} quantity
+ * @property {Place | null} place
+ */
+
+/**
+ * The map as a surface, as in Figs. 2 and 3: the same grid, coarser.
+ * @param {Surface} map
  * @param {Theme} theme
  * @param {import("./plot-area.js").Size} size
  * @returns {import("./plot-area.js").Figure}

@@ -24,6 +24,8 @@ export const PLOT_SYMBOLS = {
   gt_over_gn: "<i>g</i><sub>t</sub> / <i>g</i><sub>n</sub>",
   psi: "<i>ψ</i>",
   epsilon_t: "<i>ε</i><sub>t</sub>",
+  normal_velocity: "<i>g</i><sub>n</sub>, m/s",
+  tangential_velocity: "<i>g</i><sub>t</sub>, m/s",
 };
 
 /**

@@ -2,6 +2,7 @@
 
 import { mapFigure, mostSwitches } from "../figures/map-figure.js";
 import { typable } from "../format/number.js";
+import { placeOnMap } from "../state/map-view.js";
 import { MAP_AXES, mountCrosshair } from "./crosshair.js";
 import { find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
@@ -25,6 +26,15 @@ export function mountMap(element, { onPlace, onOption }) {
   /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;
   let chosen = "";
+  /** @type {import("../api/client.js").CollisionAnswer | null} */
+  let settled = null;
+
+  function pointSurface() {
+    if (shown && settled) {
+      const { epsilon_t, switches } = settled;
+      surface.point({ ...placeOnMap(shown.view, settled.parameters), epsilon_t, switches });
+    }
+  }
 
   element.addEventListener("change", (event) => {
     const input = /** @type {HTMLInputElement} */ (event.target);
@@ -50,6 +60,7 @@ export function mountMap(element, { onPlace, onOption }) {
       shown = map;
       element.dataset.shape = shape;
       if (shape === "surface") {
+        pointSurface();
         surface.show(map);
       } else {
         surface.close();
@@ -89,7 +100,8 @@ export function mountMap(element, { onPlace, onOption }) {
     settle(result, dragging) {
       legend.point(result);
       if (!dragging) {
-        surface.point(result);
+        settled = result;
+        pointSurface();
       }
     },
 

@@ -1,28 +1,28 @@
 // @ts-check
 
 import { surfaceFigure } from "../figures/surface-figure.js";
-import { placeOnMap } from "../state/map-view.js";
 import { createPlot } from "./plot.js";
 
 /** Turned by dragging; the wheel keeps scrolling the page. */
 const TURNABLE = { staticPlot: false, scrollZoom: false };
 
+/** @typedef {Parameters<typeof surfaceFigure>[0]} Subject */
+
 /**
- * The map as a surface in depth: its element, and the browser's drawing context with it, exist only
+ * A map as a surface in depth: its element, and the browser's drawing context with it, exist only
  * while it is shown.
  * @param {HTMLElement} stage
  */
 export function createSurface(stage) {
   /** @type {{element: HTMLElement, plot: ReturnType<typeof createPlot>} | null} */
   let open = null;
-  /** @type {import("../figures/map-figure.js").ShownMap | null} */
+  /** @type {Omit<Subject, "place"> | null} */
   let shown = null;
-  /** @type {Pick<import("../api/client.js").CollisionAnswer, "parameters" | "epsilon_t" | "switches"> | null} */
-  let present = null;
+  /** @type {Subject["place"]} */
+  let place = null;
 
   function draw() {
     if (open && shown) {
-      const place = present && { ...present, ...placeOnMap(shown.view, present.parameters) };
       open.plot.show({ ...shown, place });
     }
   }
@@ -43,9 +43,9 @@ export function createSurface(stage) {
       draw();
     },
 
-    /** The present collision, as the server has worked it out. @param {NonNullable<typeof present>} result */
-    point(result) {
-      present = result;
+    /** What is present, at its height. @param {Subject["place"]} next */
+    point(next) {
+      place = next;
       draw();
     },
 

@@ -1,0 +1,147 @@
+// @ts-check
+
+import { velocityMapFigure } from "../figures/velocity-map-figure.js";
+import { typable } from "../format/number.js";
+import { mountCrosshair } from "./crosshair.js";
+import { byTestId, find } from "./find.js";
+import { createMapLegend } from "./map-legend.js";
+import { createPlot } from "./plot.js";
+import { createSurface } from "./surface.js";
+import { onThemeChange } from "./theme.js";
+
+/**
+ * @typedef {import("../api/client.js").Scaling} Scaling
+ * @typedef {import("../api/client.js").VelocityMap} VelocityMap
+ * @typedef {ReturnType<typeof import("../state/impact.js").velocityView>} VelocityView
+ * @typedef {import("../state/url.js").PageState} PageState
+ */
+
+/** @type {import("./crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */
+const AXES = {
+  place(view, { normal, tangential }) {
+    const [x, y] = [view.normal.toShare(normal), view.tangential.toShare(tangential)];
+    return { x: within(x), y: within(y), outside: x > 1.01 || y > 1.01 || x < -0.01 };
+  },
+  at: (view, x, y) => ({
+    normal_velocity_m_s: Number(view.normal.fromShare(within(x)).toPrecision(4)),
+    tangential_velocity_m_s: Number(view.tangential.fromShare(within(y)).toPrecision(4)),
+  }),
+  horizontal: "normal_velocity_m_s",
+  vertical: "tangential_velocity_m_s",
+  words: ({ normal, tangential }) => `g_n ${typable(normal)} m/s, g_t ${typable(tangential)} m/s`,
+};
+
+/**
+ * ε_t over the velocities of an impact, flat or in depth.
+ * @param {HTMLElement} element
+ * @param {object} handlers
+ * @param {Parameters<typeof mountCrosshair>[2]} handlers.onPlace
+ * @param {(patch: Record<string, string>) => void} handlers.onOption
+ */
+export function mountVelocities(element, { onPlace, onOption }) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, velocityMapFigure);
+  const surface = createSurface(find(".plot-stage", element));
+  const legend = createMapLegend(byTestId("velocity-legend", element));
+  const crosshair = mountCrosshair(find(".crosshair", element), AXES, onPlace);
+  const endThemeChanges = onThemeChange(() => legend.draw("epsilon_t", 0));
+  /** @type {{map: VelocityMap, view: VelocityView} | null} */
+  let shown = null;
+  /** @type {Scaling | null} */
+  let settled = null;
+
+  element.addEventListener("change", (event) => {
+    const { name, type, value, checked } = /** @type {HTMLInputElement} */ (event.target);
+    onOption({ [name]: type !== "checkbox" || checked ? value : "flat" });
+  });
+
+  function pointSurface() {
+    if (shown && settled && settled.epsilon_t !== null) {
+      const { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential } = settled;
+      const { x, y } = AXES.place(shown.view, { normal, tangential });
+      surface.point({ x, y, epsilon_t: settled.epsilon_t, switches: settled.switches });
+    }
+  }
+
+  return {
+    /** @param {PageState} state */
+    options({ velocity_law: law, shape }) {
+      const choice = find(`[name="velocity_law"][value="${law}"]`, element);
+      /** @type {HTMLInputElement} */ (choice).checked = true;
+      /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element)).checked =
+        shape === "surface";
+    },
+
+    point: crosshair.point,
+
+    /**
+     * @param {VelocityMap} map
+     * @param {VelocityView} view
+     * @param {PageState} state
+     */
+    show(map, view, { velocity_law, shape }) {
+      const law = velocity_law === "coulomb" ? "coulomb" : "epsilon_t";
+      shown = { map, view };
+      element.dataset.shape = shape;
+      if (shape === "surface") {
+        pointSurface();
+        surface.show(inDepth(map, law, view));
+      } else {
+        surface.close();
+        plot.show({ cells: map[law], view });
+      }
+      crosshair.lieOn(view);
+      legend.draw("epsilon_t", 0);
+      plotElement.setAttribute(
+        "aria-label",
+        `ε_t ${law === "coulomb" ? "by Coulomb’s law " : ""}over normal and tangential velocity up to ${typable(view.most)} m/s.`,
+      );
+    },
+
+    /** What the server says of the present impact. @param {Scaling} scaling */
+    settle(scaling) {
+      settled = scaling;
+      if (scaling.epsilon_t !== null) {
+        legend.point({ epsilon_t: scaling.epsilon_t, switches: scaling.switches });
+      }
+      pointSurface();
+    },
+
+    unmount() {
+      endThemeChanges();
+      surface.close();
+      plot.destroy();
+    },
+  };
+}
+
+/**
+ * The map of velocities in the words of a surface.
+ * @param {VelocityMap} map
+ * @param {"epsilon_t" | "coulomb"} law
+ * @param {VelocityView} view
+ */
+function inDepth(map, law, { normal, tangential }) {
+  const cells = map[law];
+  return {
+    grid: {
+      kappa: map.normal_velocity_m_s,
+      gt_over_gn: map.tangential_velocity_m_s,
+      epsilon_t: cells,
+      // Of these there is no picture over the velocities.
+      switches: [],
+    },
+    view: {
+      scale: /** @type {const} */ ("linear"),
+      vertical: /** @type {const} */ ("tangential_velocity"),
+      gtOverGn: tangential,
+    },
+    horizontal: { symbol: /** @type {const} */ ("normal_velocity"), scale: normal },
+    quantity: /** @type {const} */ ("epsilon_t"),
+  };
+}
+
+/** @param {number} share */
+function within(share) {
+  return Math.min(1, Math.max(0, share));
+}

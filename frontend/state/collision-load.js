@@ -1,0 +1,64 @@
+// @ts-check
+
+import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./accuracy.js";
+import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawable.js";
+
+/**
+ * @typedef {import("./parameters.js").Collision} Collision
+ * @typedef {import("../api/client.js").CollisionAnswer} CollisionAnswer
+ * @typedef {import("../api/client.js").Trace} Trace
+ */
+
+/**
+ * @typedef {object} CollisionWish
+ * @property {Collision} collision
+ * @property {import("./accuracy.js").Accuracy} accuracy
+ * @property {import("./store.js").Change} change
+ */
+
+/**
+ * @typedef {object} LoadedCollision
+ * @property {CollisionAnswer} result with ε_t as the chosen method has it
+ * @property {Trace | null} trace exact
+ * @property {string} reason why there is none
+ * @property {boolean} isOffered whether the chosen method answers this collision
+ */
+
+/**
+ * How a collision is asked for: with its trace, or, where it switches too often for a picture, without.
+ * @param {object} server
+ * @param {(collision: Collision, signal: AbortSignal) => Promise<CollisionAnswer>} server.collision
+ * @param {(collision: Collision, signal: AbortSignal) => Promise<Trace>} server.trace
+ * @param {(collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/client.js").Answer>} server.answer
+ */
+export function createCollisionLoad(server) {
+  /**
+   * @param {Collision} collision
+   * @param {AbortSignal} signal
+   */
+  async function loadExactly(collision, signal) {
+    if (mayBeTooStiffToDraw(collision)) {
+      const result = await server.collision(collision, signal);
+      if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
+        return { result, trace: null, reason: whyNotDrawn(result) };
+      }
+    }
+    const trace = await server.trace(collision, signal);
+    return { result: trace, trace, reason: "" };
+  }
+
+  /**
+   * @param {CollisionWish} wish
+   * @param {AbortSignal} signal
+   * @returns {Promise<LoadedCollision>}
+   */
+  return async function load({ collision, accuracy }, signal) {
+    const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
+    const isOffered = canAnswer(accuracy.method, collision);
+    const [exactly, answer] = await Promise.all([
+      loadExactly(collision, signal),
+      isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
+    ]);
+    return { ...exactly, result: { ...exactly.result, ...answer }, isOffered };
+  };
+}
