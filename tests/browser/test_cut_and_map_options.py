@@ -31,6 +31,7 @@ def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(page: Page, server: s
     page.goto("/")
     settle(page, server)
     before = collision_of(page)
+    expect(page.get_by_test_id("cut-mark")).to_have_attribute("data-placed", "")
     box = page.get_by_test_id("cut-mark").bounding_box()
     page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
     settle(page, server)
