@@ -1,0 +1,77 @@
+"""Real bodies: one impact in SI units, materials worth a look."""
+
+import time
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Annotated, Any
+
+from fastapi import APIRouter, Query, Request, Response
+from starlette.concurrency import run_in_threadpool
+
+from restitution.api.arrays import read_small_json
+from restitution.api.bodies import read_scaling
+from restitution.api.errors import refuse_unsuited
+from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.schemas import FormQuery, NoQuery
+from restitution.studies.materials import MATERIALS, Material
+from restitution.studies.spheres import ScalingStudy, study_scaling
+
+router = APIRouter(prefix="/api/v1", tags=["real spheres"])
+
+AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
+
+
+async def _answer(
+    request: Request, form: FormQuery, compute: Callable[[dict[str, Any]], Result]
+) -> Response:
+    """Return what `compute` makes of the JSON object in the body."""
+    refuse_unsuited(request)
+    body = await read_small_json(request)
+    begin = time.perf_counter()
+    result = await run_in_threadpool(compute, body)
+    elapsed = 1e3 * (time.perf_counter() - begin)
+    headers = {"Server-Timing": f"compute;dur={elapsed:.3f}", "Cache-Control": "no-store"}
+    return await run_in_threadpool(formed, result, form.format, form.encoding, headers)
+
+
+def scaling_payload(study: ScalingStudy) -> Payload:
+    """Return a collision of real bodies as keys and values."""
+    after = study.after
+    return vars(study) | {"after": None if after is None else after._asdict()}
+
+
+def _row(payload: Payload) -> Payload:
+    """Return a payload without objects in lists: words of warnings, vectors by component."""
+    row = payload | {"warnings": " ".join(caution.code for caution in payload["warnings"])}
+    row["after"] = {
+        f"{name}.{axis}": None if payload["after"] is None else payload["after"][name][i]
+        for name in AFTER
+        for i, axis in enumerate("xyz")
+    }
+    return flattened(row)
+
+
+@router.post("/scaling")
+async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
+    """Return what comes out of a collision of real bodies, in SI units and scaled."""
+
+    def compute(body: dict[str, Any]) -> Result:
+        payload = scaling_payload(study_scaling(*read_scaling(body)))
+        return Result(
+            payload,
+            lambda: {name: [value] for name, value in _row(payload).items()},
+            lambda: _row(payload),
+        )
+
+    return await _answer(request, form, compute)
+
+
+def _item(material: Material) -> Payload:
+    """Return a material without what it does not have."""
+    return {name: value for name, value in asdict(material).items() if value is not None}
+
+
+@router.get("/materials", response_model=dict[str, list[Material]])
+def materials(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
+    """Return real bodies worth a look, each a valid body of ``/scaling``."""
+    return respond(request, query, lambda: Result({"items": [*map(_item, MATERIALS)]}, dict))
