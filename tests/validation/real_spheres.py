@@ -12,7 +12,8 @@ from scipy.integrate import solve_ivp
 RTOL = 1e-13
 PAST_DOUBLE_ZERO = 1e-7
 """Share of the contact by which sticking is begun late: the gap to the cap has a double zero where
-it begins; the error is the square of this."""
+it begins; the error is the square of this. The last ten such shares of the depth, where the forces
+are 1e-9 of the largest for 1e-6 of the time, are left out."""
 
 
 def laws(bodies):
@@ -75,7 +76,8 @@ def integrate(  # noqa: C901 - two regimes, three events, one system
         )
         assert solution.status == 1, "a contact ends"
         time, state = solution.t[-1], solution.y[:, -1].copy()
-        if solution.t_events[0].size:
+        ends = state[1] < 0.0 and state[0] < 10 * PAST_DOUBLE_ZERO * depth
+        if solution.t_events[0].size or ends:
             return float(state[3] / g_t), switches
         slides, switches = not slides, switches + 1
         if slides:

@@ -1,5 +1,6 @@
 """Real bodies and their impact in the body of a request."""
 
+from dataclasses import dataclass
 from typing import Any
 
 from restitution.api.errors import refusal
@@ -9,11 +10,18 @@ from restitution.api.objects import (
     ObjectReader,
     not_negative,
     positive,
+    within,
 )
+from restitution.methods.answer import Options
+from restitution.studies.axis import Axis
+from restitution.studies.batch import QUANTITIES
 from restitution.studies.bodies import GYRATION, Body, Sphere, Wall
 from restitution.studies.impact import AT_REST, Impact
 from restitution.studies.scaling import Contact
 from restitution.studies.spheres import Velocities
+
+MOST_VELOCITIES = 10_000
+"""Along one edge of a map."""
 
 LABELS = ("id", "title", "source", "notes", "measured")
 """What an item of ``/materials`` has beside a collision: such an item is a valid body."""
@@ -40,6 +48,55 @@ def read_scaling(body: dict[str, Any]) -> tuple[Contact, Velocities | Impact]:
     reader.close()
     reader.finish()
     return contact, impact
+
+
+@dataclass(frozen=True)
+class MapRequest:
+    """What a map over velocities is to show."""
+
+    contact: Contact
+    normal_velocity: Axis
+    tangential_velocity: Axis
+    quantities: list[str]
+    options: Options
+
+
+def read_map(body: dict[str, Any]) -> MapRequest:
+    """Return the bodies, both ranges of velocities and the quantities that a request describes.
+
+    Raises
+    ------
+    RefusedParametersError
+        If anything is wrong: all of it at once.
+    """
+    reader = ObjectReader(body)
+    # an item of /materials has one
+    reader.ignore("impact")
+    request = MapRequest(
+        read_contact(reader),
+        _axis(reader, IN_VELOCITIES[0], 200, from_zero=False),
+        _axis(reader, IN_VELOCITIES[1], 150, from_zero=True),
+        reader.words("quantities", QUANTITIES, ("epsilon_t", "switches")),
+        Options(tolerance=reader.number("tolerance", "from 1e-13 to 1", within(1e-13, 1.0), 1e-10)),
+    )
+    reader.close()
+    reader.finish()
+    return request
+
+
+def _axis(parent: ObjectReader, name: str, count: int, *, from_zero: bool) -> Axis:
+    reader = parent.object(name, "an object with min, max, count and scale")
+    scale = reader.word("scale", ("linear", "log"), "linear")
+    zero = from_zero and scale == "linear"
+    least = reader.number(
+        "min", NOT_NEGATIVE if zero else POSITIVE, not_negative if zero else positive
+    )
+    most = reader.number("max", POSITIVE, positive)
+    if least >= most:
+        reader.refuse("max", f"greater than {name}.min = {least!r}")
+    number = reader.integer("count", 2, MOST_VELOCITIES, count)
+    reader.close()
+    return Axis(least, most, number, scale, f"{name}.", ("min", "max"))
 
 
 def read_contact(reader: ObjectReader) -> Contact:

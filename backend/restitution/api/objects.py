@@ -23,6 +23,11 @@ def not_negative(value: float) -> bool:
     return value >= 0.0
 
 
+def within(least: float, most: float) -> Test:
+    """Return a test of numbers from `least` to `most`."""
+    return lambda value: least <= value <= most
+
+
 def double(value: object) -> float:
     """Return a JSON number as a double, NaN for what is no number, infinity beyond the range."""
     if isinstance(value, bool) or not isinstance(value, int | float):

@@ -62,7 +62,8 @@ def _collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
     return vars(study) | {"parameters": parameters}
 
 
-def _batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+    """Return the columns of a batch as arrays of `shape`, and what holds for all of them."""
     return {
         **{name: column.reshape(shape) for name, column in batch.columns.items()},
         "method": batch.one_method,
@@ -114,7 +115,7 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
         payload = {
             "along": study.along,
             "values": study.values,
-            **_batch_payload(study.batch, study.values.shape),
+            **batch_payload(study.batch, study.values.shape),
         }
         return Result(payload, lambda: {study.along: study.values, **study.batch.columns})
 
@@ -137,7 +138,7 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
         payload = {
             "kappa": study.kappa,
             "gt_over_gn": study.gt_over_gn,
-            **_batch_payload(study.batch, shape),
+            **batch_payload(study.batch, shape),
         }
         return Result(
             payload,

@@ -5,16 +5,21 @@ from collections.abc import Callable
 from dataclasses import asdict
 from typing import Annotated, Any
 
+import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import read_small_json
-from restitution.api.bodies import read_scaling
+from restitution.api.arrays import MOST_ITEMS, read_small_json
+from restitution.api.bodies import read_map, read_scaling
 from restitution.api.errors import refuse_unsuited
 from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.routes.collisions import batch_payload
 from restitution.api.schemas import FormQuery, NoQuery
+from restitution.errors import CostError
 from restitution.studies.materials import MATERIALS, Material
+from restitution.studies.parameters import CONVENTION
 from restitution.studies.spheres import ScalingStudy, study_scaling
+from restitution.studies.velocity_map import study_velocity_map
 
 router = APIRouter(prefix="/api/v1", tags=["real spheres"])
 
@@ -61,6 +66,40 @@ async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Resp
             payload,
             lambda: {name: [value] for name, value in _row(payload).items()},
             lambda: _row(payload),
+        )
+
+    return await _answer(request, form, compute)
+
+
+@router.post("/scaling/map")
+async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
+    """Return ε_t of real bodies over both velocities, as arrays [tangential][normal]."""
+
+    def compute(body: dict[str, Any]) -> Result:
+        wanted = read_map(body)
+        axes = wanted.normal_velocity, wanted.tangential_velocity
+        if axes[0].count * axes[1].count > MOST_ITEMS:
+            raise CostError(
+                f"a map of {axes[0].count:,} × {axes[1].count:,} points has more than "
+                f"{MOST_ITEMS:,}, the limit"
+            )
+        study = study_velocity_map(wanted.contact, *axes, wanted.quantities, wanted.options)
+        normal, tangential = study.normal_velocity_m_s, study.tangential_velocity_m_s
+        payload = {
+            "normal_velocity_m_s": normal,
+            "tangential_velocity_m_s": tangential,
+            "mu_over_alpha": study.mu_over_alpha,
+            **study.scales,
+            **batch_payload(study.batch, (tangential.size, normal.size)),
+            "convention": CONVENTION,
+        }
+        return Result(
+            payload,
+            lambda: {
+                "normal_velocity_m_s": np.tile(normal, tangential.size),
+                "tangential_velocity_m_s": np.repeat(tangential, normal.size),
+                **study.batch.columns,
+            },
         )
 
     return await _answer(request, form, compute)
