@@ -17,6 +17,7 @@ from starlette.exceptions import HTTPException
 
 from restitution.api.errors import RefusedParametersError, refusal
 from restitution.api.objects import repeated_names
+from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
 
 MOST_ITEMS = 1_000_000
@@ -123,6 +124,14 @@ def _repeated(body: bytes, names: Collection[str]) -> list[dict[str, Any]]:
         for name in names
         if counts[name] > 1
     ]
+
+
+def refuse_more_points(columns: int, rows: int) -> None:
+    """Raise `CostError` for a map or table of more than `MOST_ITEMS` points."""
+    if columns * rows > MOST_ITEMS:
+        raise CostError(
+            f"a map of {columns:,} × {rows:,} points has more than {MOST_ITEMS:,}, the limit"
+        )
 
 
 def number_array(

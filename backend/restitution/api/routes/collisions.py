@@ -10,7 +10,7 @@ from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
 from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json
+from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json, refuse_more_points
 from restitution.api.errors import (
     MOST_ERRORS,
     UNKNOWN,
@@ -126,11 +126,7 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
 def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
     kappa, tangential = query.axes
-    if kappa.count * tangential.count > MOST_ITEMS:
-        raise CostError(
-            f"a map of {kappa.count:,} × {tangential.count:,} points has more than "
-            f"{MOST_ITEMS:,}, the limit"
-        )
+    refuse_more_points(kappa.count, tangential.count)
 
     def compute() -> Result:
         study = study_grid(kappa, tangential, query.mu_over_alpha, query.wanted, query.options)

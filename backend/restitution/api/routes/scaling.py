@@ -9,13 +9,12 @@ import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import MOST_ITEMS, read_small_json
+from restitution.api.arrays import read_small_json, refuse_more_points
 from restitution.api.bodies import read_map, read_scaling
 from restitution.api.errors import refuse_unsuited
 from restitution.api.forms import Payload, Result, flattened, formed, respond
 from restitution.api.routes.collisions import batch_payload
 from restitution.api.schemas import FormQuery, NoQuery
-from restitution.errors import CostError
 from restitution.studies.materials import MATERIALS, Material
 from restitution.studies.parameters import CONVENTION
 from restitution.studies.spheres import ScalingStudy, study_scaling
@@ -78,11 +77,7 @@ async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) ->
     def compute(body: dict[str, Any]) -> Result:
         wanted = read_map(body)
         axes = wanted.normal_velocity, wanted.tangential_velocity
-        if axes[0].count * axes[1].count > MOST_ITEMS:
-            raise CostError(
-                f"a map of {axes[0].count:,} × {axes[1].count:,} points has more than "
-                f"{MOST_ITEMS:,}, the limit"
-            )
+        refuse_more_points(axes[0].count, axes[1].count)
         study = study_velocity_map(wanted.contact, *axes, wanted.quantities, wanted.options)
         normal, tangential = study.normal_velocity_m_s, study.tangential_velocity_m_s
         payload = {
