@@ -407,6 +407,13 @@ def test_stiffness_of_figure_2_is_far_from_mindlins():
     assert codes(FIGURE_2, Velocities(1.0, 0.5)) == ["tangential_stiffness"]
 
 
+def test_stiffness_beside_which_mindlins_underflows_is_far_from_it():
+    dust = Sphere(1e-210, 1e-250, 0.3, mass_kg=1e-300)
+    contact = Contact(dust, dust, 0.4, 1e-320)
+    assert scales(contact, 1e35).mindlin_stiffness_n_per_m == 0.0
+    assert "tangential_stiffness" in codes(contact, Velocities(1e35, 1e35))
+
+
 # what was measured
 
 

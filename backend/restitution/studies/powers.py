@@ -18,8 +18,8 @@ def product_of_powers(*factors: tuple[float, int]) -> float:
 
     Examples
     --------
-    >>> product_of_powers((1e300, 20), (1e-300, 10), (1e300, -10))
-    1.0
+    >>> product_of_powers((2.0**900, 20), (2.0**-900, 10), (2.0**890, -10))
+    1024.0
     """
     mantissa, tenths = 1.0, 0
     for value, power in factors:

@@ -81,7 +81,7 @@ class Scales:
 EVERYTHING = "masses, radii, Young's moduli and the normal velocity"
 
 
-def joined_friction(friction_coefficient: float, alpha: float) -> float:
+def friction_over_alpha(friction_coefficient: float, alpha: float) -> float:
     """Return μ/α, 0 or a number that double precision holds.
 
     Raises

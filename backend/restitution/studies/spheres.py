@@ -8,7 +8,7 @@ from restitution.methods.answer import Options
 from restitution.studies.collision import study_collision
 from restitution.studies.impact import After, Impact, after_impact, contact_velocity
 from restitution.studies.parameters import CONVENTION, CollisionParameters
-from restitution.studies.scaling import Contact, joined_friction, scales, velocity_ratio
+from restitution.studies.scaling import Contact, friction_over_alpha, scales, velocity_ratio
 from restitution.studies.validity import Caution, cautions
 
 
@@ -106,7 +106,7 @@ def study_scaling(
     at = scales(contact, g_n)
     parameters = CollisionParameters(
         at.kappa,
-        joined_friction(contact.friction_coefficient, at.pair.alpha),
+        friction_over_alpha(contact.friction_coefficient, at.pair.alpha),
         velocity_ratio(g_t, g_n),
     )
     found = study_collision(parameters, options, ("epsilon_t", "epsilon_n", "switches"))

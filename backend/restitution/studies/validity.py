@@ -91,11 +91,12 @@ def _turning_normal(at: Scales, crossing_velocity: float) -> Caution | None:
 
 
 def _stiffness(at: Scales) -> Caution | None:
-    ratio = at.tangential_stiffness_n_per_m / at.mindlin_stiffness_n_per_m
+    mindlin = at.mindlin_stiffness_n_per_m
+    ratio = at.tangential_stiffness_n_per_m / mindlin if mindlin > 0.0 else math.inf
     if 1.0 / FAR_FROM_MINDLIN <= ratio <= FAR_FROM_MINDLIN:
         return None
     return Caution(
         "tangential_stiffness",
         f"the tangential stiffness is {ratio:.3g} times that of smooth elastic bodies at the "
-        f"largest compression (Mindlin), {at.mindlin_stiffness_n_per_m:.4g} N/m",
+        f"largest compression (Mindlin), {mindlin:.4g} N/m",
     )

@@ -12,7 +12,7 @@ from restitution.studies.batch import BatchStudy, study_batch
 from restitution.studies.scaling import (
     SMALLEST,
     Contact,
-    joined_friction,
+    friction_over_alpha,
     scales,
     velocity_ratio,
 )
@@ -81,7 +81,7 @@ def study_velocity_map(
     tangential = tangential_velocity.values(positive=False)
     steps = [scales(contact, g_n) for g_n in normal.tolist()]
     columns = {name: np.array([getattr(at, name) for at in steps]) for name in OF_NORMAL_VELOCITY}
-    friction = joined_friction(contact.friction_coefficient, contact.pair.alpha)
+    friction = friction_over_alpha(contact.friction_coefficient, contact.pair.alpha)
     # the largest ratio of all, refused if it overflows
     velocity_ratio(float(tangential[-1]), float(normal[0]))
     ratios = tangential[:, None] / normal
