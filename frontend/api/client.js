@@ -55,7 +55,8 @@ import { decodeArrays } from "./arrays.js";
 
 /**
  * What this page reads of `/tradeoff` and of `/steps`.
- * @typedef {{scene: string, measured_at: string, machine: string, rows: import("../figures/tradeoff-figure.js").Row[]}} Tradeoff
+ * @typedef {{scene: string, measured_at: string, machine: string, rows: import("../figures/tradeoff-figure.js").Row[], can_be_measured_anew: boolean}} Tradeoff
+ * @typedef {{id: string, scene: string, state: "running" | "done" | "cancelled" | "failed", progress: number, result: Omit<Tradeoff, "can_be_measured_anew"> | null}} Run
  * @typedef {object} StepsAnswer
  * @property {number} stability_limit
  * @property {Record<string, {p95: number | null, worst: number | null}>} needed
@@ -81,11 +82,12 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
    * @param {string} url
    * @param {AbortSignal} [signal]
    */
-  async function get(url, signal) {
+  async function get(url, signal, method = "GET") {
     const limit = AbortSignal.timeout(LONGEST_WAIT);
     let response;
     try {
-      response = await fetch(url, { signal: signal ? AbortSignal.any([signal, limit]) : limit });
+      const until = signal ? AbortSignal.any([signal, limit]) : limit;
+      response = await fetch(url, { signal: until, method });
     } catch (error) {
       throw new Unreachable("The server does not answer", { cause: error });
     }
@@ -213,6 +215,21 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
      */
     async tradeoff(region, signal) {
       return (await get(`${base}/tradeoff?scene=${region}`, signal)).body;
+    },
+
+    /** Has a region measured anew. @param {string} region @returns {Promise<Run>} */
+    async startRun(region) {
+      return (await get(`${base}/tradeoff/runs?scene=${region}`, undefined, "POST")).body;
+    },
+
+    /** How far a measurement is. @param {string} id @returns {Promise<Run>} */
+    async run(id) {
+      return (await get(`${base}/tradeoff/runs/${id}`)).body;
+    },
+
+    /** @param {string} id @returns {Promise<Run>} */
+    async cancelRun(id) {
+      return (await get(`${base}/tradeoff/runs/${id}`, undefined, "DELETE")).body;
     },
 
     /** @returns {Promise<Preset[]>} */

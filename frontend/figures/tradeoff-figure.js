@@ -7,6 +7,7 @@ import { baseLayout, plainAxis } from "./plot-area.js";
  * @typedef {import("./theme.js").Theme} Theme
  * @typedef {"error_median" | "error_p95" | "error_max"} Statistic
  * @typedef {{method: string, options: Record<string, string | number>, microseconds_per_collision: number, wrong_sign: number, wrong_switches: number | null} & Record<Statistic, number>} Row
+ *   its numbers are null where the method refused every collision
  */
 
 export const TRADEOFF_MARGIN = { l: 54, r: 16, t: 8, b: 40 };
@@ -70,14 +71,15 @@ const SERIES = [
  */
 export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
   const drawn = seriesOf(rows);
-  const times = rows.map((row) => Math.log10(row.microseconds_per_collision));
+  const answered = drawn.flatMap((series) => series.rows);
+  const times = answered.map((row) => Math.log10(row.microseconds_per_collision));
   const [fastest, slowest] = [Math.floor(Math.min(...times)), Math.ceil(Math.max(...times))];
   const [low, high] = [LEAST_ERROR, MOST_ERROR].map(Math.log10);
   const text = { standoff: 4 * theme.unit, font: { size: 12 * theme.unit } };
   return {
     data: [
       ...drawn.map((series) => line(series, statistic, theme)),
-      ring(rows.filter(chosen), statistic, theme),
+      ring(answered.filter(chosen), statistic, theme),
     ],
     layout: {
       ...baseLayout(theme, size, TRADEOFF_MARGIN),
@@ -101,11 +103,12 @@ export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
 }
 
 /**
- * The series that have rows, in the order of the legend.
+ * The series that have rows with numbers, in the order of the legend.
  * @param {Row[]} rows
  */
 export function seriesOf(rows) {
-  return SERIES.map((series) => ({ ...series, rows: rows.filter(series.has) })).filter(
+  const answered = rows.filter((row) => row.microseconds_per_collision !== null);
+  return SERIES.map((series) => ({ ...series, rows: answered.filter(series.has) })).filter(
     (series) => series.rows.length > 0,
   );
 }

@@ -7,6 +7,7 @@ import { sameCollision } from "../state/parameters.js";
 import { mountCalculator } from "./calculator.js";
 import { mountErrorMap } from "./error-map.js";
 import { find } from "./find.js";
+import { mountRemeasure } from "./remeasure.js";
 import { mountStepOverlay } from "./step-overlay.js";
 import { mountTradeoff } from "./tradeoff.js";
 
@@ -16,6 +17,7 @@ import { mountTradeoff } from "./tradeoff.js";
  * @typedef {import("../api/client.js").Tradeoff} Tradeoff
  * @typedef {import("../api/client.js").StepsAnswer} StepsAnswer
  * @typedef {import("../api/client.js").Stepped} Stepped
+ * @typedef {import("../api/client.js").Run} Run
  * @typedef {import("../state/error-map-loader.js").ErrorMapWish} ErrorMapWish
  */
 
@@ -31,6 +33,9 @@ const CALCULATOR_PAUSE = 250;
  * @param {(wish: ErrorMapWish, signal: AbortSignal) => Promise<Float64Array[]>} handlers.load.errorMap
  * @param {(collision: import("../state/parameters.js").Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<Stepped>} handlers.load.stepped
  * @param {(query: Record<string, string>, signal: AbortSignal) => Promise<StepsAnswer>} handlers.load.steps
+ * @param {(region: string) => Promise<Run>} handlers.load.startRun
+ * @param {(id: string) => Promise<Run>} handlers.load.run
+ * @param {(id: string) => Promise<Run>} handlers.load.cancelRun
  * @param {(error: unknown) => void} handlers.onError
  * @param {(patch: Partial<PageState>) => void} handlers.onOption
  * @param {(patch: Partial<import("../state/accuracy.js").Accuracy>) => void} handlers.onAccuracy
@@ -41,6 +46,18 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   const errorMap = mountErrorMap(find(".error-map"), onPlace);
   const overlay = mountStepOverlay(find(".overlay"), onAccuracy);
   const calculator = mountCalculator(find(".calculator"), onOption);
+  const remeasure = mountRemeasure(find(".remeasure"), {
+    start: load.startRun,
+    look: load.run,
+    cancel: load.cancelRun,
+    onResult(result) {
+      if (result.scene === present?.region) {
+        tradeoff = { ...result, can_be_measured_anew: true };
+        drawTradeoff();
+      }
+    },
+    onError,
+  });
   /** @type {PageState | null} */
   let present = null;
   /** @type {Trace | null} */
@@ -99,6 +116,7 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   function drawTradeoff() {
     if (tradeoff && present) {
       tradeoffPanel.show(tradeoff, present);
+      remeasure.offer(tradeoff.scene, tradeoff.can_be_measured_anew);
     }
   }
 
@@ -184,6 +202,7 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
 
     unmount() {
       clearTimeout(pause);
+      remeasure.unmount();
       tradeoffPanel.unmount();
       errorMap.unmount();
       overlay.unmount();

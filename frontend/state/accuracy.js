@@ -72,9 +72,6 @@ export const INTEGRATORS = [
   { id: "forward_euler", title: "forward Euler" },
 ];
 
-/** Errors below this have the colour of none. */
-const LEAST_VISIBLE = 1e-8;
-
 /** @type {Accuracy} */
 export const USUAL_ACCURACY = {
   method: "auto",
@@ -105,15 +102,13 @@ export function accuracyQuery(accuracy) {
 }
 
 /**
- * Whose failing is to be shown: of what is exact to all the digits that one can see there is none, and
- * time steps stand in.
+ * Whose failing is to be shown: the exact method has none, and beside the exact value, which an error
+ * needs anyway, `auto` takes no other; time steps stand in for both.
  * @param {Accuracy} accuracy
  * @returns {Accuracy}
  */
 export function failingOf(accuracy) {
-  const { method, tolerance } = accuracy;
-  const isExact = method === "exact" || (method === "auto" && tolerance < LEAST_VISIBLE);
-  return isExact ? inSteps(accuracy) : accuracy;
+  return ["exact", "auto"].includes(accuracy.method) ? inSteps(accuracy) : accuracy;
 }
 
 /** The same knobs, for time steps. @param {Accuracy} accuracy @returns {Accuracy} */
@@ -150,7 +145,7 @@ export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn }) {
   const psi = gt_over_gn / mu_over_alpha;
   switch (method) {
     case "table":
-      return kappa >= 1e-2 && kappa <= 1e3 && psi >= 1e-3 && psi <= 1e3;
+      return kappa >= 1e-2 && kappa <= 1e3 && (psi === 0 || (psi >= 1e-3 && psi <= 1e3));
     case "ode":
       return kappa <= 1e5;
     case "exact":

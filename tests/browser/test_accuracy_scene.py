@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from explorer import ask, collision_of, eventually, settle, text, trace_of
 from playwright.sync_api import Page, expect
+from screenshots import running_server
 
 pytestmark = pytest.mark.browser
 
@@ -30,9 +31,11 @@ def test_points_of_the_tradeoff_are_those_measured(page: Page, server: str):
 
 def test_a_click_on_a_point_chooses_its_method(page: Page, server: str):
     page.goto("/?scene=accuracy")
-    point = page.get_by_test_id("tradeoff").locator(".scatterlayer .trace path.point")
-    expect(point.first).to_be_attached()
-    box = point.nth(8).bounding_box()
+    plot = page.get_by_test_id("tradeoff")
+    expect(plot.locator("path.point").first).to_be_attached()
+    names = plot.evaluate("plot => plot.data.map((trace) => trace.name)")
+    steps = plot.locator(".scatterlayer .trace").nth(names.index("time steps, Verlet"))
+    box = steps.locator("path.point").first.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=3)
     page.wait_for_timeout(200)
     page.mouse.down()
@@ -120,3 +123,26 @@ def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(
     settle(page, server)
     expect(page.get_by_test_id("accuracy-refusal")).to_contain_text("κ from 0.01 to 1000")
     assert text(page, "provenance").startswith("exact")
+
+
+def test_measuring_anew_shows_its_progress_and_can_be_stopped(
+    page: Page, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setenv("RESTITUTION_TRADEOFF_RUNS", "true")
+    with running_server() as url:
+        page.goto(f"{url}/?scene=accuracy&region=solids")
+        button = page.get_by_test_id("remeasure")
+        progress = page.get_by_label("Progress of the measurement")
+        expect(button).to_have_text("Measure anew")
+        button.click()
+        expect(button).to_have_text("Stop")
+        expect(progress).to_be_visible()
+        button.click()
+        expect(button).to_have_text("Measure anew", timeout=30_000)
+        expect(progress).to_be_hidden()
+
+
+def test_measuring_anew_is_not_offered_where_it_is_off(page: Page):
+    page.goto("/?scene=accuracy")
+    expect(page.get_by_test_id("tradeoff-source")).to_contain_text("Measured")
+    expect(page.get_by_test_id("remeasure")).to_be_hidden()

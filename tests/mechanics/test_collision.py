@@ -14,7 +14,9 @@ from restitution.mechanics.collision import (
     collide,
     expected_switch_counts,
 )
-from restitution.mechanics.limits import sliding_threshold, stiff_bound
+from restitution.mechanics.hertz import CONTACT_DURATION
+from restitution.mechanics.limits import sliding_threshold, stiff_bound, weak_limit
+from restitution.mechanics.motion import motion
 
 SMALLEST, LARGEST = 5e-324, 1.7976931348623157e308
 
@@ -123,6 +125,24 @@ def test_vanishing_psi_is_a_limit_without_switches():
     result = collide(18.0, [0.0, 1e-300])
     assert result.epsilon_t[0] == result.epsilon_t[1]
     np.testing.assert_array_equal(result.switches, [0, 2])
+
+
+def test_weakest_collisions_are_free_swings_at_every_stiffness():
+    # all of 100,000: the root of an underflowing bracket was lost at one κ in 300
+    kappa = np.geomspace(1e-3, 1e10, 100_000)
+    result = collide(kappa, 1e-100)
+    assert np.all(np.abs(result.epsilon_t - weak_limit(kappa)) <= 2 * result.error_bound)
+
+
+def test_soft_collisions_switch_where_the_forces_meet_to_the_last_digits():
+    # κψt = (3/2)√t at the first switch, κψt_c = x^{3/2} with x = t_c − t at the last
+    kappa, psi = np.meshgrid(10.0 ** np.arange(-290, -17), [1e-9, 1.0, 1e3])
+    for k, p in zip(kappa.ravel(), psi.ravel(), strict=True):
+        path = motion(k, p)
+        ends = path.episodes["q"][1:]
+        np.testing.assert_allclose(ends[0], k * p / 1.5, rtol=1e-10)
+        np.testing.assert_allclose(ends[1], (k * p * CONTACT_DURATION) ** (1 / 3), rtol=1e-10)
+        assert path.switches_certain, (k, p)
 
 
 def test_parameters_broadcast():

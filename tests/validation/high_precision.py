@@ -26,7 +26,7 @@ Real = Any  # mpmath ships no types
 GUARD_DIGITS = 40
 POINTS_PER_PERIOD = 32  # of the free spring
 UNIFORM_POINTS = 512  # over the contact, at least
-END_OCTAVES = 220  # both ends of contact are resolved down to 2**-220 of its duration
+END_OCTAVES = 220  # enough for both ends of the contact where κψ > 1e-30
 START_OCTAVES = 70  # and the start of an episode to 2**-70 of the grid's spacing there
 
 
@@ -122,14 +122,14 @@ def _zero(look: Watch, index: int, part: int, low: Real, high: Real) -> Real:
 class _Walk:
     """One collision, episode by episode."""
 
-    def __init__(self, kappa: Real, psi: Real) -> None:
+    def __init__(self, kappa: Real, psi: Real, octaves: int) -> None:
         self.kappa, self.psi, self.frequency = kappa, psi, mp.sqrt(kappa)
         self.reversals, self.nearest, self._direction = 0, mp.inf, 1
         self.motion = _normal_motion(mp.prec)
         duration = self.motion.duration
         periods = self.frequency * duration / (2 * mp.pi)
         count = max(UNIFORM_POINTS, int(POINTS_PER_PERIOD * periods))
-        near = [duration * mp.ldexp(k, -n) for n in range(2, END_OCTAVES) for k in (1, 1.4)]
+        near = [duration * mp.ldexp(k, -n) for n in range(2, octaves) for k in (1, 1.4)]
         uniform = [duration * k / count for k in range(1, count)]
         self._grid = sorted({*near, *(duration - time for time in near), *uniform, duration})
 
@@ -226,7 +226,9 @@ class _Walk:
         return HighPrecisionCollision(epsilon_t, *found)
 
 
-def collide(kappa: str, psi: str, digits: int = 60) -> HighPrecisionCollision:
+def collide(
+    kappa: str, psi: str, digits: int = 60, octaves: int = END_OCTAVES
+) -> HighPrecisionCollision:
     """Follow one collision, undamped, from event to event.
 
     Parameters
@@ -235,6 +237,8 @@ def collide(kappa: str, psi: str, digits: int = 60) -> HighPrecisionCollision:
         κ of Eq. 24 and ψ = (α/μ)(g_t/g_n), both > 0, read as exact decimals.
     digits
         Digits wanted; forty more are carried.
+    octaves
+        Both ends of the contact are resolved down to 2**-octaves of its duration.
 
     Returns
     -------
@@ -246,4 +250,4 @@ def collide(kappa: str, psi: str, digits: int = 60) -> HighPrecisionCollision:
         that ended is continued to its next, negative minimum (else two switches fewer).
     """
     with mp.workdps(digits + GUARD_DIGITS):
-        return _Walk(mpf(kappa), mpf(psi)).run()
+        return _Walk(mpf(kappa), mpf(psi), octaves).run()

@@ -41,6 +41,9 @@ CONVERGED = 1e-9
 NEGLIGIBLE = 1e-100
 """A root this near to an end of the contact is the end: x^{3/2} = 1e-300 there."""
 
+LINEAR = 1e-30
+"""Below it R is 1.5 q: the rest, about κq⁵, is below 1e-90 of it where collisions are followed."""
+
 MOST_NEWTON_STEPS, MOST_STEPS = 40, 500
 """Halving from 1 to `NEGLIGIBLE` and on to the last digit takes 386 of the difference."""
 
@@ -95,7 +98,7 @@ def slip_reach(kappa: float, q: float) -> float:
 @compiled
 def sliding_end(kappa: float, target: float, guess: float, high: float) -> float:
     """Return q in (0, high) where R(q) = `target`; R is monotone there."""
-    if target < NEGLIGIBLE:
+    if target < LINEAR:
         return min(target / 1.5, high)
     low = 0.0
     q = guess
@@ -192,6 +195,9 @@ def decompression_bracket(
             left -= math.pi / omega
     side = 1 - 2 * (int(swing) & 1)
     low = math.sqrt(max(0.0, left))
+    if omega * CONTACT_DURATION < 0.5 * math.pi:
+        # a soft spring is not back at z = 0 in time, whatever rounding makes of `lead` / ω
+        return low, HALF_CONTACT_ROOT, side, certain
     # rounding of a large phase can put z = 0 just behind the end of the contact
     high = math.sqrt(max(0.0, min(left + 0.5 * math.pi / omega, HALF_CONTACT)))
     return low, high, side, certain
@@ -240,8 +246,10 @@ def sticking_end_after_compression(
         low, high, side, certain = decompression_bracket(kappa, t0, p0, amplitude, lead)
     q, u = cap_contact(omega, t0, p0, u0, decompressing, side, low, high)
     root, _ = normal_motion(q)
-    # a spring that meets the cap next to z = 0 may, for all its rounded phase tells, be behind it
-    beyond_phase = root * root * root > 8.0 * ROUNDING * (1.0 + omega) * amplitude
+    # a spring that meets the cap next to z = 0 may, for all its rounded phase tells, be behind it;
+    # a soft one has hardly left z = 0 when it meets it, and its small phase is as small in error
+    phase = min(1.0 + omega, CONTACT_DURATION * omega)
+    beyond_phase = root * root * root > 8.0 * ROUNDING * phase * amplitude
     return decompressing, q, side, u, certain and beyond_phase
 
 

@@ -15,7 +15,7 @@ What each way to ε_t costs and how far it is off, measured on four regions of c
 tradeoff` measures anew, stores the result in the package and writes this page from it; the
 service has the same rows at `/api/v1/tradeoff`.
 
-**How.** Time is that of one thread's CPU, for one collision, the median of five repeats (of `ode`
+**How.** Time is that of all threads' CPU, for one collision, the median of five repeats (of `ode`
 one, of single collisions). `auto`, `exact`, `coulomb`, `pragmatic`, `stiff` and `table` get all
 collisions at once. `timestep` is timed one collision at a time, as a code pays it whose contacts
 begin when they like; many that begin at once share their normal motion and cost thirty times

@@ -24,6 +24,7 @@ const ROWS = [
   row("timestep", { integrator: "velocity_verlet", steps: 500 }, { error_p95: 1e9 }),
   row("ode", { rtol: 1e-3 }),
   row("ode", { rtol: 1e-3, spring: "free" }),
+  row("table", {}, { microseconds_per_collision: null, error_p95: null }),
 ];
 
 test("seriesOf puts each row into one series and leaves out series without rows", () => {

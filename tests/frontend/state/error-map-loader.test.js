@@ -41,6 +41,7 @@ test("createErrorMapLoader asks again only for another method, knob, μ/α or ax
   assert.equal(await follow({ collision: { ...STATE.collision, kappa: 20 } }), 1);
   assert.equal(await follow({ scale: "log" }), 2);
   assert.equal(await follow({ scale: "log", accuracy: USUAL_ACCURACY }), 3);
+  assert.equal(await follow({ scale: "log", accuracy: { ...USUAL_ACCURACY, tolerance: 1 } }), 3);
   const steps = { ...USUAL_ACCURACY, method: "timestep", steps: 51 };
   assert.equal(await follow({ scale: "log", accuracy: steps }), 4);
 });

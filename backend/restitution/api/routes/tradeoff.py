@@ -34,13 +34,14 @@ def _columns(rows: list[dict[str, Any]]) -> Payload:
 @router.get("/tradeoff")
 def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
     """Return what every method costs and how far it is off on the collisions of a scene."""
-    stored = load_tradeoff()[query.scene]
+    can_run = request.app.state.runs is not None
+    stored = {**load_tradeoff()[query.scene], "can_be_measured_anew": can_run}
 
     def compute() -> Result:
         columns = _columns(stored["rows"])
         return Result(stored, lambda: columns, lambda: {**stored, **columns, "rows": len(columns)})
 
-    return respond(request, query, compute, f"{PROGRAM_VERSION} {stored['measured_at']}")
+    return respond(request, query, compute, f"{PROGRAM_VERSION} {stored['measured_at']} {can_run}")
 
 
 @router.get("/steps")
