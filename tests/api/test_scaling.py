@@ -155,6 +155,13 @@ def test_form_without_after_keeps_its_columns(service):
     assert row["after.velocity_2_m_s.z"] == ""
 
 
+@pytest.mark.parametrize("path", ["/scaling", "/scaling/map"])
+def test_example_in_the_description_is_answered(service, path):
+    description = service.client.get("/openapi.json").json()["paths"]["/api/v1" + path]["post"]
+    example = description["requestBody"]["content"]["application/json"]["example"]
+    assert "epsilon_t" in service.read(service.post(example, path=path))
+
+
 # refusals
 
 

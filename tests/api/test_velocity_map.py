@@ -114,6 +114,11 @@ def test_quantities_are_a_list_of_words(service, quantities):
     assert "quantities" in wrong(service, FIGURE_2 | {"quantities": quantities})
 
 
+def test_damping_is_refused_in_words(service):
+    entry = wrong(service, FIGURE_2 | {"dissipative_constant_s": 1e-6})["dissipative_constant_s"]
+    assert "no viscous damping yet" in entry["requirement"]
+
+
 def test_missing_ranges_are_named(service):
     body = {key: FIGURE_2[key] for key in FIGURE_2 if "velocity" not in key}
     assert wrong(service, body).keys() == {"normal_velocity_m_s", "tangential_velocity_m_s"}

@@ -25,6 +25,17 @@ router = APIRouter(prefix="/api/v1", tags=["real spheres"])
 AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
 
 
+def _described(*names: str, **more: Any) -> dict[str, Any]:
+    """Return the body of a request for the description of the service, by an example."""
+    item = asdict(MATERIALS[0])
+    example = {name: item[name] for name in names} | more
+    content = {"application/json": {"schema": {"type": "object"}, "example": example}}
+    return {"requestBody": {"required": True, "content": content}}
+
+
+CONTACT = ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
+
+
 async def _answer(
     request: Request, form: FormQuery, compute: Callable[[dict[str, Any]], Result]
 ) -> Response:
@@ -55,7 +66,7 @@ def _row(payload: Payload) -> Payload:
     return flattened(row)
 
 
-@router.post("/scaling")
+@router.post("/scaling", openapi_extra=_described(*CONTACT, "impact"))
 async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return what comes out of a collision of real bodies, in SI units and scaled."""
 
@@ -70,7 +81,16 @@ async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Resp
     return await _answer(request, form, compute)
 
 
-@router.post("/scaling/map")
+@router.post(
+    "/scaling/map",
+    openapi_extra=_described(
+        *CONTACT,
+        normal_velocity_m_s={"min": 1, "max": 200, "count": 200, "scale": "linear"},
+        tangential_velocity_m_s={"min": 0, "max": 200, "count": 150, "scale": "linear"},
+        quantities=["epsilon_t", "coulomb"],
+        tolerance=4e-3,
+    ),
+)
 async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t of real bodies over both velocities, as arrays [tangential][normal]."""
 
