@@ -44,6 +44,26 @@ def test_grid_is_chosen_for_an_error(service):
     assert float(row["largest_error"]) <= 0.02
 
 
+@pytest.mark.parametrize("error", [0.1, 0.05])
+def test_grid_for_an_error_over_the_default_ranges_is_prompt(service, error):
+    ask = lambda: service.get("/table", error=error, format="npz")  # noqa: E731 - asked twice
+    response = service.promptly(ask, seconds=5.0)
+    with np.load(io.BytesIO(response.content)) as arrays:
+        assert arrays["largest_error"] <= error
+        assert (arrays["kappa_scale"], arrays["psi_scale"]) == ("log", "log")
+
+
+def test_scales_that_an_error_implies_may_be_given(service):
+    query = {"error": 0.1, "format": "c"}
+    tags = [
+        service.get("/table", **query, **scales).headers["etag"]
+        for scales in ({}, {"kappa_scale": "log"}, {"kappa_scale": "log", "psi_scale": "log"})
+    ]
+    assert len(set(tags)) == 1
+    text = service.get("/table", **query, kappa_min=3, kappa_max=4, psi_min=0).text
+    assert "from 0 to 4 (linear)" in text
+
+
 @pytest.mark.parametrize(("form", "words"), [("c", "#ifndef"), ("python", "def epsilon_t")])
 def test_languages_are_texts_that_state_error_and_sign(service, form, words):
     response = service.get("/table", **SMALL, format=form)

@@ -78,6 +78,18 @@ TABLE = (
 )
 
 
+def table_scales(given: Mapping[str, str]) -> dict[str, str]:
+    """Return the scales of ``/table`` where they are not given.
+
+    As of ``/map``; logarithmic, which takes fewer entries, where an error decides about the grid.
+    """
+    scales = {}
+    for axis in TABLE:
+        low = _number(given.get(axis.minimum), axis.default[0])
+        scales[axis.scale] = "log" if "error" in given and low != 0.0 else "linear"
+    return scales
+
+
 def table_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
     """Yield what is wrong with the parameters of ``/table`` beside each other."""
     for axis in TABLE:

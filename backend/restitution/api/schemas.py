@@ -12,7 +12,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from restitution.api.ranges import CUT
+from restitution.api.ranges import CUT, table_scales
 from restitution.methods.answer import Options
 from restitution.methods.planner import METHODS
 from restitution.studies import batch, collision, trace
@@ -277,6 +277,12 @@ class TableQuery(BaseModel):
     ) = None
     sign: Annotated[Literal["paper", "reversed"], stated("sign", "paper or reversed")] = "paper"
     format: Annotated[str, _one_of(TABLE_FORMATS)] = "csv"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _fill_scales(cls, given: dict[str, Any]) -> dict[str, Any]:
+        """Give the scales their defaults, which depend on the error."""
+        return table_scales(given) | given
 
     @property
     def axes(self) -> tuple[Axis, Axis]:

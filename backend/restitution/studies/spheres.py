@@ -129,7 +129,7 @@ def study_scaling(
         tangential_velocity_m_s=g_t,
         time_scale_s=at.time_scale_s,
         length_scale_m=at.length_scale_m,
-        contact_duration_s=at.contact_duration_s,
+        contact_duration_s=found.contact_duration * at.time_scale_s,
         maximum_compression_m=at.maximum_compression_m,
         maximum_normal_force_n=at.maximum_normal_force_n,
         epsilon_n=found.epsilon_n,
