@@ -14,7 +14,8 @@ MAY_IMPORT = {
     "mechanics": {"mechanics", "errors"},
     "methods": {"methods", "mechanics", "errors"},
     "studies": {"studies", "methods", "mechanics", "errors"},
-    "api": {"api", "studies", "methods", "mechanics", "errors"},
+    "export": {"export", "studies"},
+    "api": {"api", "export", "studies", "methods", "mechanics", "errors"},
 }
 
 LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}

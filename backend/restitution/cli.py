@@ -1,16 +1,30 @@
-"""The command line: serve the page, compile the kernels ahead of time, measure the methods."""
+"""The command line: the service, one impact of real spheres, tables for other codes."""
 
+import math
 from pathlib import Path
+from typing import Any, BinaryIO
 
 import click
 import uvicorn
+from starlette.exceptions import HTTPException
 
 from restitution.api.app import create_app
+from restitution.api.arrays import parse_object
+from restitution.api.bodies import read_scaling
+from restitution.api.errors import RefusedParametersError, sentences
+from restitution.api.forms import as_json, formed
 from restitution.api.page import compress_plotly
+from restitution.api.routes.scaling import scaling_payload
+from restitution.api.routes.table import table_result
+from restitution.api.schemas import TABLE_FORMATS
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_table
+from restitution.errors import RestitutionError
+from restitution.studies.axis import Axis
 from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
+from restitution.studies.spheres import ScalingStudy, study_scaling
+from restitution.studies.table_export import Sign, study_table, study_table_within
 from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
 
 
@@ -61,3 +75,131 @@ def tradeoff(scenes: tuple[str, ...], out: Path, report: Path | None) -> None:
         store_tradeoff(finished, out)
     if report:
         report.write_text(tradeoff_report(load_tradeoff(out)))
+
+
+IN_SHORT = ("radius", "density", "youngs_modulus", "poisson_ratio", "friction", "normal_velocity")
+"""Options that describe an impact of equal bodies without a file."""
+
+
+@main.command()
+@click.argument("file", type=click.File("rb"), required=False)
+@click.option("--radius", type=float, help="Radius in m.")
+@click.option("--density", type=float, help="Density in kg/m³.")
+@click.option("--youngs-modulus", type=float, help="Young's modulus in Pa.")
+@click.option("--poisson-ratio", type=float, help="Poisson's ratio.")
+@click.option("--wall", is_flag=True, help="A sphere on a wall of its material, not two spheres.")
+@click.option("--friction", type=float, help="Coefficient of friction.")
+@click.option("--stiffness", type=float, help="Tangential stiffness in N/m; Mindlin's by default.")
+@click.option("--normal-velocity", type=float, help="Normal velocity in m/s.")
+@click.option("--tangential-velocity", type=float, default=0.0, help="Tangential velocity in m/s.")
+@click.option("--json", "in_full", is_flag=True, help="Print JSON, as the service does.")
+def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: float | None) -> None:
+    """Let two spheres, or a sphere and a wall, collide.
+
+    FILE (- for standard input) holds the JSON of POST /api/v1/scaling. Without it the options
+    describe two equal spheres, or a sphere and a wall of its material.
+    """
+    try:
+        body = parse_object(file.read()) if file else _body(wall, given)
+        study = study_scaling(*read_scaling(body))
+    except RefusedParametersError as refused:
+        raise click.ClickException("\n".join(sentences(refused.errors))) from refused
+    except HTTPException as refused:
+        raise click.ClickException(str(refused.detail)) from refused
+    except RestitutionError as refused:
+        raise click.ClickException(str(refused)) from refused
+    click.echo(as_json(scaling_payload(study), "plain") if in_full else _summary(study))
+
+
+def _body(wall: bool, given: dict[str, float | None]) -> dict[str, Any]:
+    """Return the options of an impact of equal bodies as the body of a request."""
+    if missing := [f"--{name.replace('_', '-')}" for name in IN_SHORT if given[name] is None]:
+        raise click.UsageError(f"give FILE, or also {', '.join(missing)}")
+    material = {
+        "youngs_modulus_pa": given["youngs_modulus"],
+        "poisson_ratio": given["poisson_ratio"],
+    }
+    sphere = material | {"radius_m": given["radius"], "density_kg_m3": given["density"]}
+    stiffness = given["stiffness"]
+    return {
+        "body_1": sphere,
+        "body_2": material | {"wall": True} if wall else sphere,
+        "friction_coefficient": given["friction"],
+        "tangential_stiffness_n_per_m": "mindlin" if stiffness is None else stiffness,
+        "impact": {
+            "normal_velocity_m_s": given["normal_velocity"],
+            "tangential_velocity_m_s": given["tangential_velocity"],
+        },
+    }
+
+
+def _summary(study: ScalingStudy) -> str:
+    """Return a collision of real bodies in lines."""
+    psi = math.inf if study.psi is None else study.psi
+    lines = [
+        f"epsilon_t  {study.epsilon_t:.10g}  (error at most {study.error_bound:.1g})",
+        f"epsilon_n  {study.epsilon_n:.10g}",
+        f"switches   {'not counted' if study.switches is None else study.switches}",
+        f"kappa      {study.kappa:.8g}",
+        f"mu/alpha   {study.mu_over_alpha:.8g}",
+        f"g_t/g_n    {study.gt_over_gn:.8g}",
+        f"psi        {psi:.8g}",
+        f"contact    {study.contact_duration_s:.4g} s",
+        f"depth      {study.maximum_compression_m:.4g} m",
+        f"force      {study.maximum_normal_force_n:.4g} N",
+    ]
+    if study.after:
+        lines += [
+            f"{name}  {', '.join(f'{part:.8g}' for part in vector)}"
+            for name, vector in study.after._asdict().items()
+        ]
+    lines += [f"warning    {caution.text}" for caution in study.warnings]
+    return "\n".join([*lines, study.convention])
+
+
+@main.command()
+@click.option("--kappa", type=(float, float), default=(0.1, 70.0), help="0.1 70 by default.")
+@click.option("--kappa-count", type=click.IntRange(2), help="200 unless --error is given.")
+@click.option("--kappa-scale", type=click.Choice(["linear", "log"]), default="log")
+@click.option("--psi", type=(float, float), default=(0.01, 4.0), help="0.01 4 by default.")
+@click.option("--psi-count", type=click.IntRange(2), help="150 unless --error is given.")
+@click.option("--psi-scale", type=click.Choice(["linear", "log"]), default="log")
+@click.option(
+    "--error", type=click.FloatRange(1e-12, 1), help="Largest error of interpolation wanted."
+)
+@click.option("--sign", type=click.Choice(["paper", "reversed"]), default="paper")
+@click.option("--format", "form", type=click.Choice(TABLE_FORMATS), default="csv")
+@click.option("--seconds", type=float, default=60.0, help="Time of one core that it may take.")
+@click.option("--out", type=click.File("wb"), default="-", help="Standard output by default.")
+def table(
+    kappa: tuple[float, float],
+    kappa_count: int | None,
+    kappa_scale: str,
+    psi: tuple[float, float],
+    psi_count: int | None,
+    psi_scale: str,
+    error: float | None,
+    sign: Sign,
+    form: str,
+    seconds: float,
+    out: BinaryIO,
+) -> None:
+    """Write ε_t over κ and ψ for another code, with its largest error of interpolation."""
+    if error is not None and (kappa_count or psi_count):
+        raise click.UsageError("--error decides about the counts: leave them out")
+    axes = (
+        Axis(*kappa, kappa_count or 200, kappa_scale, "kappa "),
+        Axis(*psi, psi_count or 150, psi_scale, "psi "),
+    )
+    try:
+        if error is None:
+            found = study_table(*axes, sign, seconds=seconds)
+        else:
+            found = study_table_within(error, *axes, sign, seconds=seconds)
+    except RestitutionError as refused:
+        raise click.ClickException(str(refused)) from refused
+    out.write(bytes(formed(table_result(found), form, "plain").body))
+    click.echo(
+        f"{found.kappa.count} × {found.psi.count} entries, error at most {found.largest_error:.3g}",
+        err=True,
+    )

@@ -13,7 +13,7 @@ from starlette.middleware.gzip import GZipMiddleware
 
 from restitution.api import errors
 from restitution.api.page import add_page, compress_plotly
-from restitution.api.routes import collisions, service, tradeoff
+from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
 from restitution.api.warm import warm, warm_table
@@ -47,6 +47,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     # level 1: numbers in base64 shrink by a quarter at any level
     app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=1)
     app.include_router(collisions.router)
+    app.include_router(scaling.router)
+    app.include_router(table.router)
     app.include_router(tradeoff.router)
     app.include_router(service.router)
     add_page(app, settings.frontend_directory)

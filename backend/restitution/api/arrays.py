@@ -16,10 +16,15 @@ from fastapi import Request
 from starlette.exceptions import HTTPException
 
 from restitution.api.errors import RefusedParametersError, refusal
+from restitution.api.objects import repeated_names
+from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
 
 MOST_ITEMS = 1_000_000
 LARGEST_BODY = 40 * 2**20
+LARGEST_SMALL_BODY = 2 * 2**20
+TOO_DEEP = "the body is nested too deeply"
+
 MOST_REFUSALS = 20
 """Elements of one list that are named in a refusal."""
 
@@ -49,22 +54,49 @@ async def read_json(request: Request, names: Collection[str]) -> dict[str, Any]:
     RefusedParametersError
         If a parameter is repeated.
     """
+    body = await _read_body(request, LARGEST_BODY)
+    value = parse_object(body)
+    if errors := _repeated(body, names):
+        raise RefusedParametersError(errors)
+    return value
+
+
+async def read_small_json(request: Request) -> dict[str, Any]:
+    """Return the JSON object in a body of at most `LARGEST_SMALL_BODY`; as of `read_json`.
+
+    Giving any key of any object twice is refused.
+    """
+    body = await _read_body(request, LARGEST_SMALL_BODY)
+    value = parse_object(body)
+    try:
+        names = dict.fromkeys(repeated_names(_lenient(body, object_pairs_hook=tuple)))
+    except RecursionError as error:
+        raise HTTPException(400, TOO_DEEP) from error
+    if names:
+        raise RefusedParametersError([refusal(name, None, "given once") for name in names])
+    return value
+
+
+async def _read_body(request: Request, largest: int) -> bytes:
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise HTTPException(415, "the body must be application/json")
     body = bytearray()
     async for chunk in request.stream():
         body += chunk
-        if len(body) > LARGEST_BODY:
-            raise HTTPException(413, f"the body is larger than {LARGEST_BODY:,} bytes")
+        if len(body) > largest:
+            raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+    return bytes(body)
+
+
+def parse_object(text: bytes) -> dict[str, Any]:
+    """Return a JSON object; `HTTPException` 400 for anything else."""
     try:
-        value = orjson.loads(body)
+        value = orjson.loads(text)
     except orjson.JSONDecodeError:
-        value = _lenient(bytes(body))
+        value = _lenient(text)
     if not isinstance(value, dict):
         raise HTTPException(400, "the body must be a JSON object")
-    if errors := _repeated(bytes(body), names):
-        raise RefusedParametersError(errors)
     return value
 
 
@@ -74,7 +106,7 @@ def _lenient(body: bytes, **hooks: Any) -> object:
         # an integer too long for Python is infinite as a double
         return json.loads(body, parse_int=lambda t: int(t) if len(t) < 400 else float(t), **hooks)
     except RecursionError as error:
-        raise HTTPException(400, "the body is nested too deeply") from error
+        raise HTTPException(400, TOO_DEEP) from error
     except ValueError as error:
         raise HTTPException(400, f"the body is not JSON: {error}") from error
 
@@ -92,6 +124,14 @@ def _repeated(body: bytes, names: Collection[str]) -> list[dict[str, Any]]:
         for name in names
         if counts[name] > 1
     ]
+
+
+def refuse_more_points(columns: int, rows: int) -> None:
+    """Raise `CostError` for a map or table of more than `MOST_ITEMS` points."""
+    if columns * rows > MOST_ITEMS:
+        raise CostError(
+            f"a map of {columns:,} × {rows:,} points has more than {MOST_ITEMS:,}, the limit"
+        )
 
 
 def number_array(

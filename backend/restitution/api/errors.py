@@ -11,7 +11,7 @@ from fastapi import FastAPI, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
 
-from restitution.api.ranges import cut_misfits, map_misfits, steps_misfits
+from restitution.api.ranges import cut_misfits, map_misfits, steps_misfits, table_misfits
 from restitution.api.schemas import REQUIREMENTS
 from restitution.errors import CostError, ParameterError
 
@@ -23,7 +23,7 @@ MOST_ERRORS = 100
 
 UNKNOWN = "left out: this call has no such parameter"
 
-MISFITS = {"cut": cut_misfits, "map": map_misfits, "steps": steps_misfits}
+MISFITS = {"cut": cut_misfits, "map": map_misfits, "steps": steps_misfits, "table": table_misfits}
 """Last part of an address → what its parameters must be beside each other."""
 
 
@@ -91,12 +91,15 @@ def _sentence(parameter: str, value: object, requirement: str) -> str:
     return f"{parameter} must be {requirement}, got {value}"
 
 
+def sentences(errors: list[dict[str, Any]]) -> list[str]:
+    """Return a sentence for each of the first `MOST_ERRORS` wrong parameters."""
+    first = [_sentence(**error) for error in errors[:MOST_ERRORS]]
+    return [*first, "and more"] if len(errors) > MOST_ERRORS else first
+
+
 def refused(errors: list[dict[str, Any]]) -> Response:
     """Return the answer to wrong parameters."""
-    sentences = [_sentence(**error) for error in errors[:MOST_ERRORS]]
-    if len(errors) > MOST_ERRORS:
-        sentences.append("and more")
-    return problem(422, "; ".join(sentences), errors[:MOST_ERRORS])
+    return problem(422, "; ".join(sentences(errors)), errors[:MOST_ERRORS])
 
 
 def from_validation(found: list[Any]) -> list[dict[str, Any]]:
@@ -111,6 +114,8 @@ def from_validation(found: list[Any]) -> list[dict[str, Any]]:
                 requirement = UNKNOWN
             case "words":
                 requirement = f"a comma-separated choice of {error['ctx']['allowed']}"
+            case "word":
+                requirement = f"one of {error['ctx']['allowed']}"
             case _:
                 requirement = REQUIREMENTS.get(f"{name}[]" if element else name, error["msg"])
         value = None if error["type"] == "missing" else error["input"]

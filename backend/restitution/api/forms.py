@@ -15,7 +15,7 @@ import orjson
 from fastapi import Request, Response
 
 from restitution.api.errors import refuse_unsuited
-from restitution.api.schemas import FormQuery, NoQuery
+from restitution.api.schemas import FormQuery, NoQuery, TableQuery
 from restitution.mechanics.compiled import fingerprint
 from restitution.studies.collision import Energy, Estimates, Sensitivity
 
@@ -41,16 +41,19 @@ class Result:
         As rows for CSV, computed if asked.
     arrays : callable, optional
         One array per key for NPZ, where the payload has lists of objects.
+    texts : dict of str to callable
+        Further forms of this answer alone: name → its text.
     """
 
     payload: Payload
     table: Callable[[], Table]
     arrays: Callable[[], Payload] | None = None
+    texts: Mapping[str, Callable[[], str]] = dataclasses.field(default_factory=dict)
 
 
 def respond(
     request: Request,
-    query: FormQuery | NoQuery,
+    query: FormQuery | NoQuery | TableQuery,
     compute: Callable[[], Result],
     version: str = PROGRAM_VERSION,
 ) -> Response:
@@ -73,7 +76,7 @@ def respond(
     return formed(result, query.format, query.encoding, headers)
 
 
-def entity_tag(path: str, query: FormQuery | NoQuery, version: str) -> str:
+def entity_tag(path: str, query: FormQuery | NoQuery | TableQuery, version: str) -> str:
     """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
     canonical = orjson.dumps([version, path, query.model_dump()], option=orjson.OPT_SORT_KEYS)
     return f'"{hashlib.sha256(canonical).hexdigest()[:32]}"'
@@ -83,6 +86,9 @@ def formed(
     result: Result, form: str, encoding: str, headers: Mapping[str, str] | None = None
 ) -> Response:
     """Return `result` as a response."""
+    if form in result.texts:
+        content, kind = result.texts[form]().encode(), "text/plain; charset=utf-8"
+        return Response(content, 200, dict(headers or {}), kind)
     match form:
         case "csv":
             content, kind = as_csv(result.table()), "text/csv; charset=utf-8"

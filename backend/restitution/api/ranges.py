@@ -72,6 +72,33 @@ def map_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         yield from axis.misfits(given)
 
 
+TABLE = (
+    MAP[0],
+    Range("psi_min", "psi_max", "psi_scale", (0.01, 4.0), positive=False),
+)
+
+
+def table_scales(given: Mapping[str, str]) -> dict[str, str]:
+    """Return the scales of ``/table`` where they are not given.
+
+    As of ``/map``; logarithmic, which takes fewer entries, where an error decides about the grid.
+    """
+    scales = {}
+    for axis in TABLE:
+        low = _number(given.get(axis.minimum), axis.default[0])
+        scales[axis.scale] = "log" if "error" in given and low != 0.0 else "linear"
+    return scales
+
+
+def table_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+    """Yield what is wrong with the parameters of ``/table`` beside each other."""
+    for axis in TABLE:
+        yield from axis.misfits(given)
+    for count in ("kappa_count", "psi_count"):
+        if "error" in given and count in given:
+            yield count, "left out, as `error` is given and decides about it"
+
+
 def _number(text: str | None, default: float) -> float | None:
     if text is None:
         return default

@@ -12,7 +12,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from restitution.api.ranges import CUT
+from restitution.api.ranges import CUT, table_scales
 from restitution.methods.answer import Options
 from restitution.methods.planner import METHODS
 from restitution.studies import batch, collision, trace
@@ -22,6 +22,8 @@ from restitution.studies.parameters import CollisionParameters
 Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Scale = Literal["linear", "log"]
+
+TABLE_FORMATS = ("csv", "npz", "c", "python")
 
 REQUIREMENTS: dict[str, str] = {}
 """Parameter → what holds for allowed values, filled by `stated`."""
@@ -39,6 +41,17 @@ def _words(allowed: tuple[str, ...]) -> AfterValidator:
     def check(text: str) -> str:
         if not set(text.split(",")) <= set(allowed):
             raise PydanticCustomError("words", "not a choice", {"allowed": ", ".join(allowed)})
+        return text
+
+    return AfterValidator(check)
+
+
+def _one_of(allowed: tuple[str, ...]) -> AfterValidator:
+    """Return a validator of one of the words `allowed`, where calls differ in what they allow."""
+
+    def check(text: str) -> str:
+        if text not in allowed:
+            raise PydanticCustomError("word", "not allowed", {"allowed": ", ".join(allowed)})
         return text
 
     return AfterValidator(check)
@@ -236,6 +249,50 @@ class MapQuery(Formed):
                 "gt_over_gn_",
                 ends,
             ),
+        )
+
+
+class TableQuery(BaseModel):
+    """``GET /table``; the error wanted, or else counts."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    encoding: ClassVar = "plain"
+
+    kappa_min: Annotated[Finite, _edge("kappa_min", "finite and > 0"), Field(gt=0)] = 0.1
+    kappa_max: Annotated[Finite, _edge("kappa_max", "finite and > 0"), Field(gt=0)] = 70.0
+    kappa_count: Annotated[int, stated("kappa_count", "an integer ≥ 2"), Field(ge=2)] = 200
+    kappa_scale: Annotated[Scale, stated("kappa_scale", "linear or log")] = "linear"
+    psi_min: Annotated[Finite, _edge("psi_min", "finite and ≥ 0"), Field(ge=0)] = 0.01
+    psi_max: Annotated[Finite, _edge("psi_max", "finite and > 0"), Field(gt=0)] = 4.0
+    psi_count: Annotated[int, stated("psi_count", "an integer ≥ 2"), Field(ge=2)] = 150
+    psi_scale: Annotated[Scale, stated("psi_scale", "linear or log")] = "linear"
+    error: (
+        Annotated[
+            Finite,
+            stated("error", "from 1e-12 to 1", "largest error wanted"),
+            Field(ge=1e-12, le=1),
+        ]
+        | None
+    ) = None
+    sign: Annotated[Literal["paper", "reversed"], stated("sign", "paper or reversed")] = "paper"
+    format: Annotated[str, _one_of(TABLE_FORMATS)] = "csv"
+
+    @model_validator(mode="before")
+    @classmethod
+    def _fill_scales(cls, given: dict[str, Any]) -> dict[str, Any]:
+        """Give the scales their defaults, which depend on the error."""
+        return table_scales(given) | given
+
+    @property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The edges: κ and ψ."""
+        ends = ("min", "max")
+        return (
+            Axis(
+                self.kappa_min, self.kappa_max, self.kappa_count, self.kappa_scale, "kappa_", ends
+            ),
+            Axis(self.psi_min, self.psi_max, self.psi_count, self.psi_scale, "psi_", ends),
         )
 
 

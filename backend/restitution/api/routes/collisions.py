@@ -10,7 +10,7 @@ from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
 from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json
+from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json, refuse_more_points
 from restitution.api.errors import (
     MOST_ERRORS,
     UNKNOWN,
@@ -62,7 +62,8 @@ def _collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
     return vars(study) | {"parameters": parameters}
 
 
-def _batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+    """Return the columns of a batch as arrays of `shape`, and what holds for all of them."""
     return {
         **{name: column.reshape(shape) for name, column in batch.columns.items()},
         "method": batch.one_method,
@@ -114,7 +115,7 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
         payload = {
             "along": study.along,
             "values": study.values,
-            **_batch_payload(study.batch, study.values.shape),
+            **batch_payload(study.batch, study.values.shape),
         }
         return Result(payload, lambda: {study.along: study.values, **study.batch.columns})
 
@@ -125,11 +126,7 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
 def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
     kappa, tangential = query.axes
-    if kappa.count * tangential.count > MOST_ITEMS:
-        raise CostError(
-            f"a map of {kappa.count:,} × {tangential.count:,} points has more than "
-            f"{MOST_ITEMS:,}, the limit"
-        )
+    refuse_more_points(kappa.count, tangential.count)
 
     def compute() -> Result:
         study = study_grid(kappa, tangential, query.mu_over_alpha, query.wanted, query.options)
@@ -137,7 +134,7 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
         payload = {
             "kappa": study.kappa,
             "gt_over_gn": study.gt_over_gn,
-            **_batch_payload(study.batch, shape),
+            **batch_payload(study.batch, shape),
         }
         return Result(
             payload,

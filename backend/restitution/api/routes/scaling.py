@@ -1,0 +1,131 @@
+"""Real bodies: one impact in SI units, materials worth a look."""
+
+import time
+from collections.abc import Callable
+from dataclasses import asdict
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import APIRouter, Query, Request, Response
+from starlette.concurrency import run_in_threadpool
+
+from restitution.api.arrays import read_small_json, refuse_more_points
+from restitution.api.bodies import read_map, read_scaling
+from restitution.api.errors import refuse_unsuited
+from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.routes.collisions import batch_payload
+from restitution.api.schemas import FormQuery, NoQuery
+from restitution.studies.materials import MATERIALS, Material
+from restitution.studies.parameters import CONVENTION
+from restitution.studies.spheres import ScalingStudy, study_scaling
+from restitution.studies.velocity_map import study_velocity_map
+
+router = APIRouter(prefix="/api/v1", tags=["real spheres"])
+
+AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
+
+
+def _described(*names: str, **more: Any) -> dict[str, Any]:
+    """Return the body of a request for the description of the service, by an example."""
+    item = asdict(MATERIALS[0])
+    example = {name: item[name] for name in names} | more
+    content = {"application/json": {"schema": {"type": "object"}, "example": example}}
+    return {"requestBody": {"required": True, "content": content}}
+
+
+CONTACT = ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
+
+
+async def _answer(
+    request: Request, form: FormQuery, compute: Callable[[dict[str, Any]], Result]
+) -> Response:
+    """Return what `compute` makes of the JSON object in the body."""
+    refuse_unsuited(request)
+    body = await read_small_json(request)
+    begin = time.perf_counter()
+    result = await run_in_threadpool(compute, body)
+    elapsed = 1e3 * (time.perf_counter() - begin)
+    headers = {"Server-Timing": f"compute;dur={elapsed:.3f}", "Cache-Control": "no-store"}
+    return await run_in_threadpool(formed, result, form.format, form.encoding, headers)
+
+
+def scaling_payload(study: ScalingStudy) -> Payload:
+    """Return a collision of real bodies as keys and values."""
+    after = study.after
+    return vars(study) | {"after": None if after is None else after._asdict()}
+
+
+def _row(payload: Payload) -> Payload:
+    """Return a payload without objects in lists: words of warnings, vectors by component."""
+    row = payload | {"warnings": " ".join(caution.code for caution in payload["warnings"])}
+    row["after"] = {
+        f"{name}.{axis}": None if payload["after"] is None else payload["after"][name][i]
+        for name in AFTER
+        for i, axis in enumerate("xyz")
+    }
+    return flattened(row)
+
+
+@router.post("/scaling", openapi_extra=_described(*CONTACT, "impact"))
+async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
+    """Return what comes out of a collision of real bodies, in SI units and scaled."""
+
+    def compute(body: dict[str, Any]) -> Result:
+        payload = scaling_payload(study_scaling(*read_scaling(body)))
+        return Result(
+            payload,
+            lambda: {name: [value] for name, value in _row(payload).items()},
+            lambda: _row(payload),
+        )
+
+    return await _answer(request, form, compute)
+
+
+@router.post(
+    "/scaling/map",
+    openapi_extra=_described(
+        *CONTACT,
+        normal_velocity_m_s={"min": 1, "max": 200, "count": 200, "scale": "linear"},
+        tangential_velocity_m_s={"min": 0, "max": 200, "count": 150, "scale": "linear"},
+        quantities=["epsilon_t", "coulomb"],
+        tolerance=4e-3,
+    ),
+)
+async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
+    """Return ε_t of real bodies over both velocities, as arrays [tangential][normal]."""
+
+    def compute(body: dict[str, Any]) -> Result:
+        wanted = read_map(body)
+        axes = wanted.normal_velocity, wanted.tangential_velocity
+        refuse_more_points(axes[0].count, axes[1].count)
+        study = study_velocity_map(wanted.contact, *axes, wanted.quantities, wanted.options)
+        normal, tangential = study.normal_velocity_m_s, study.tangential_velocity_m_s
+        payload = {
+            "normal_velocity_m_s": normal,
+            "tangential_velocity_m_s": tangential,
+            "mu_over_alpha": study.mu_over_alpha,
+            **study.scales,
+            **batch_payload(study.batch, (tangential.size, normal.size)),
+            "convention": CONVENTION,
+        }
+        return Result(
+            payload,
+            lambda: {
+                "normal_velocity_m_s": np.tile(normal, tangential.size),
+                "tangential_velocity_m_s": np.repeat(tangential, normal.size),
+                **study.batch.columns,
+            },
+        )
+
+    return await _answer(request, form, compute)
+
+
+def _item(material: Material) -> Payload:
+    """Return a material without what it does not have."""
+    return {name: value for name, value in asdict(material).items() if value is not None}
+
+
+@router.get("/materials", response_model=dict[str, list[Material]])
+def materials(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
+    """Return real bodies worth a look, each a valid body of ``/scaling``."""
+    return respond(request, query, lambda: Result({"items": [*map(_item, MATERIALS)]}, dict))

@@ -1,0 +1,1 @@
+"""Tables of ε_t in the languages of other codes."""
