@@ -113,22 +113,27 @@ export function restitutionColors(dark) {
 }
 
 /**
- * The classes of switch counts on a map: 0, 2, 4 … up to the largest, the ninth being "and more".
+ * The classes of switch counts on a map: 0, 2, 4 … up to the largest, the ninth being "and more"; with
+ * damping, where counts are odd, 1, 3, 5 ….
  * @param {number} most
  * @param {boolean} dark
  */
 export function switchClasses(most, dark) {
   const colors = COUNTING[dark ? "dark" : "light"];
+  const least = most % 2;
   const count = Math.min(colors.length, Math.floor(most / 2) + 1);
-  return Array.from({ length: count }, (_, i) => ({
-    switches: 2 * i,
-    label: i === colors.length - 1 && most > 2 * i ? `≥ ${2 * i}` : String(2 * i),
-    color: between(colors, count === 1 ? 0 : i / Math.max(4, count - 1)),
-  }));
+  return Array.from({ length: count }, (_, i) => {
+    const switches = least + 2 * i;
+    return {
+      switches,
+      label: i === colors.length - 1 && most > switches ? `≥ ${switches}` : String(switches),
+      color: between(colors, count === 1 ? 0 : i / Math.max(4, count - 1)),
+    };
+  });
 }
 
 /**
- * A colour scale in steps of two switches, from −1 to one more than the last class.
+ * A colour scale in steps of two switches, from one less than the first class to one more than the last.
  * @param {{color: string}[]} classes
  * @returns {[number, string][]}
  */

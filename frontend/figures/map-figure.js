@@ -80,5 +80,6 @@ export function mapColoring(grid, quantity, dark) {
     return { zmin: -1, zmax: 1, colorscale: restitutionStops(dark) };
   }
   const classes = switchClasses(mostSwitches(grid), dark);
-  return { zmin: -1, zmax: 2 * classes.length - 1, colorscale: switchStops(classes) };
+  const zmin = classes[0].switches - 1;
+  return { zmin, zmax: zmin + 2 * classes.length, colorscale: switchStops(classes) };
 }

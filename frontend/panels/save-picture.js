@@ -99,14 +99,14 @@ function withScale(trace, { unit, inkSoft }) {
 }
 
 /**
- * Counts are even, and the last colour may stand for more.
+ * Counts go by twos, errors by powers of ten; the last colour of counts may stand for more.
  * @param {Record<string, any>} trace
  */
-function colorTicks({ z, zmax, cmax = zmax }) {
-  if (cmax <= 1) {
-    return { dtick: 0.5 };
+function colorTicks({ name, z, zmin, zmax, cmin = zmin, cmax = zmax }) {
+  if (name !== "switches") {
+    return { dtick: name === "error" ? 2 : 0.5 };
   }
-  const counts = Array.from({ length: Math.floor(cmax / 2) + 1 }, (_, i) => 2 * i);
+  const counts = Array.from({ length: (cmax - cmin) / 2 }, (_, i) => cmin + 1 + 2 * i);
   const isMore = z.some((/** @type {ArrayLike<number>} */ row) =>
     Array.prototype.some.call(row, (count) => count > cmax),
   );

@@ -106,3 +106,11 @@ test("the colours of ε_t tell its size by lightness alone, for those who see no
 test("restitutionPlace spreads the small values, and keeps the ends and the middle", () => {
   assert.deepEqual([-1, 0, 0.25, 1].map(restitutionPlace), [0, 0.5, 0.75, 1]);
 });
+
+test("switchClasses of damped collisions are odd", () => {
+  const classes = switchClasses(5, false);
+  assert.deepEqual(
+    classes.map(({ switches }) => switches),
+    [1, 3, 5],
+  );
+});
