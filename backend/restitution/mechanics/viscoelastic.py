@@ -24,7 +24,7 @@ import numpy as np
 
 from restitution.errors import ParameterError
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
 
 MOST_DAMPING = 1e30
 """Largest η that is followed: from 1e10 on less than 1e-16 of the velocity is left (ε_n)."""
@@ -377,3 +377,11 @@ def normal_contact(damping: float) -> Contact:
 def normal_restitution(damping: float) -> float:
     """Return ε_n, the coefficient of normal restitution; 1 for η = 0."""
     return -normal_contact(damping).last_rate if damping else 1.0
+
+
+def contact_duration(damping: float) -> float:
+    """Return t_c of one η ≥ 0, scaled by t_scale."""
+    if not damping:
+        return CONTACT_DURATION
+    contact = normal_contact(damping)
+    return contact.duration / contact.unit

@@ -10,6 +10,7 @@ from restitution.mechanics.collision import (
     collide,
     expected_switch_counts,
 )
+from restitution.mechanics.damped import collide_damped, expected_damped_switch_counts
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Answer, Options
 
@@ -35,9 +36,27 @@ def switch_limit(expected: FloatArray) -> float:
     return float(ascending[np.searchsorted(np.cumsum(ascending), MOST_SWITCHES_PER_REQUEST) - 1])
 
 
-def follow_affordable(kappa: FloatArray, psi: FloatArray) -> Collision:
-    """Return the exact results of collisions (N,), the stiff limit for those beyond the budget."""
-    return collide(kappa, psi, switch_limit(expected_switch_counts(kappa, psi)))
+def expected_counts(kappa: FloatArray, psi: FloatArray, damping: float) -> FloatArray:
+    """Return about how many switches collisions (N,) have, rather too many than too few."""
+    if damping:
+        return expected_damped_switch_counts(kappa, psi, damping)
+    return expected_switch_counts(kappa, psi)
+
+
+def follow(kappa: FloatArray, psi: FloatArray, damping: float, most_switches: float) -> Collision:
+    """Return the exact results of collisions (N,) that have no more expected switches than that."""
+    if damping:
+        return collide_damped(kappa, psi, damping, most_switches)
+    return collide(kappa, psi, most_switches)
+
+
+def follow_affordable(kappa: FloatArray, psi: FloatArray, damping: float) -> Collision:
+    """Return the exact results of collisions (N,), 0 within a bound for those beyond the budget.
+
+    Without damping that is the stiff limit, with it `damped.damped_bound`.
+    """
+    affordable = switch_limit(expected_counts(kappa, psi, damping))
+    return follow(kappa, psi, damping, affordable)
 
 
 def known(result: Collision) -> FloatArray:
@@ -49,14 +68,15 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return ε_t and switches of collisions (N,).
 
     The bound is guaranteed: rounding, with a factor of safety over the largest error seen against
-    60-digit arithmetic. Cost: 0.2 µs for a switch.
+    60-digit arithmetic, with damping 45-digit. Cost: 0.2 µs for a switch, 0.6 µs with damping,
+    for each η 0.05 ms at first.
 
     Raises
     ------
     CostError
         If the collisions are too many or too stiff.
     """
-    expected = expected_switch_counts(kappa, psi)
+    expected = expected_counts(kappa, psi, options.damping)
     affordable = switch_limit(expected)
     if np.any(expected > affordable):
         raise CostError(
@@ -65,7 +85,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
             f"{MOST_SWITCHES_PER_REQUEST:,} and {MOST_SWITCHES:,}. Ask for fewer or softer "
             "collisions, or for method=auto"
         )
-    result = collide(kappa, psi, affordable)
+    result = follow(kappa, psi, options.damping, affordable)
     lost = result.switches == TOO_STIFF
     if np.any(lost):
         raise CostError(

@@ -28,5 +28,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
             f"{kappa.size:,} collisions of {options.steps:,} steps are {cost:.3g} steps; the limit "
             f"is {MOST_STEPS:.3g}. Ask for fewer collisions or fewer steps"
         )
-    stepped = step_collisions(kappa, psi, options.steps, options.integrator, options.phase)
-    return measured(kappa, psi, stepped.epsilon_t, "timestep", stepped.switches)
+    stepped = step_collisions(
+        kappa, psi, options.steps, options.integrator, options.phase, damping=options.damping
+    )
+    return measured(kappa, psi, stepped.epsilon_t, options, stepped.switches)
