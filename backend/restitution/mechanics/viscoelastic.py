@@ -347,7 +347,7 @@ MOST_STEPS = 2000
 """Of a survey; the longest, at `MOST_DAMPING`, takes 711."""
 
 
-@functools.lru_cache(maxsize=256)
+@functools.lru_cache(maxsize=64)
 def _kept(damping: float) -> Contact:
     contact = _prepare(damping, MOST_STEPS)
     if contact.rising == 0:
