@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
 
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import CONTACT_DURATION, MAXIMUM_FORCE
@@ -72,6 +73,21 @@ def test_normal_restitution_falls_monotonically_without_a_jump_between_units():
     assert np.all(np.diff(values) < 0)
     below = normal_restitution(np.nextafter(1.0, 0.0))
     assert below == pytest.approx(normal_restitution(1.0), rel=1e-14)
+
+
+def test_older_end_of_contact_gives_a_smaller_normal_restitution():
+    # at x = 0, by a general solver in the variables of the module
+    def rates(_, state):
+        root, rate = state
+        return rate, -2.0 * root**2 * (root**2 + 0.1 * rate)
+
+    def touching(_, state):
+        return state[0]
+
+    touching.terminal, touching.direction = True, -1
+    solution = solve_ivp(rates, (0, 5), (0, 1), "DOP853", events=touching, rtol=1e-11, atol=1e-13)
+    assert -solution.y[1, -1] == pytest.approx(0.89214759, abs=1e-8)
+    assert normal_restitution(0.1) == pytest.approx(0.89285888, abs=1e-8)
 
 
 def test_weak_damping_goes_over_into_none():

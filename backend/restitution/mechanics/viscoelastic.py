@@ -3,7 +3,7 @@
 Eq. 1 with A > 0, scaled as in `hertz`: ẍ + x^{3/2} + η √x ẋ = 0 with x(0) = 0, ẋ(0) = 1 and
 η = (3/2) A β^{2/5} g_n^{1/5}. The contact ends when the *force* is zero, x + ηẋ = 0 with ẋ < 0
 (delayed recovery of the shape). An older convention ends it at x = 0, which lets the spheres
-attract each other at last and gives a smaller ε_n (.8821 instead of .8929 at η = .1).
+attract each other at last and gives a smaller ε_n (.8921 instead of .8929 at η = .1).
 
 In τ with dt = 2√x dτ the motion is polynomial, for R = √x and V = ẋ:
 

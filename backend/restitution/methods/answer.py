@@ -21,6 +21,8 @@ class Options:
         Largest absolute error wanted in ε_t.
     damping : float
         η = (3/2) A β^{2/5} g_n^{1/5} of all the collisions, 0 … `viscoelastic.MOST_DAMPING`.
+    share : float
+        Of the budget of a request, what these collisions may use; less than 1 beside others.
     floor : float
         ε₀ of the pragmatic model.
     steps : int
@@ -36,6 +38,7 @@ class Options:
     method: str = "auto"
     tolerance: float = 1e-10
     damping: float = 0.0
+    share: float = 1.0
     floor: float = 0.0
     steps: int = 50
     integrator: str = "velocity_verlet"

@@ -20,7 +20,7 @@ def measured(
     Switches that the method has counted are certain where the exact ones are and agree. This costs
     what the exact method costs.
     """
-    truth = exact.follow_affordable(kappa, psi, options.damping)
+    truth = exact.follow_affordable(kappa, psi, options.damping, options.share)
     certain = None
     if switches is not None:
         certain = truth.switches_certain & (switches == truth.switches)

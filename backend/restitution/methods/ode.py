@@ -242,6 +242,7 @@ def run(
     rtol: float,
     spring: Spring = "events",
     damping: float = 0.0,
+    share: float = 1.0,
 ) -> tuple[FloatArray, npt.NDArray[np.int32]]:
     """Return ε_t and switches of collisions (N,) by `integrate`, within the budget of a request.
 
@@ -251,10 +252,10 @@ def run(
         If the collisions are too many or too stiff, or the solver does not get on.
     """
     steps = expected_steps(kappa, psi, rtol, damping)
-    if steps.sum() > MOST_STEPS or steps.max(initial=0.0) > MOST_STEPS_EACH:
+    if steps.sum() > MOST_STEPS * share or steps.max(initial=0.0) > MOST_STEPS_EACH:
         raise CostError(
             f"the general solver would take about {steps.sum():.3g} steps here, up to "
-            f"{steps.max():.3g} in one collision; the limits are {MOST_STEPS:,} and "
+            f"{steps.max():.3g} in one collision; the limits are {MOST_STEPS * share:,.0f} and "
             f"{MOST_STEPS_EACH:,}. Ask for fewer or softer collisions, or for method=exact"
         )
     results = [
@@ -272,5 +273,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     The error is measured: the distance to the exact ε_t and its own bound. Cost: milliseconds for
     each collision, in proportion to its switches and to √κ.
     """
-    epsilon_t, switches = run(kappa, psi, options.rtol, damping=options.damping)
+    epsilon_t, switches = run(
+        kappa, psi, options.rtol, damping=options.damping, share=options.share
+    )
     return measured(kappa, psi, epsilon_t, options, switches)

@@ -56,22 +56,23 @@ def solve(
             raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
     if options.damping or not EPSILON_T_ALONE.issuperset(quantities):
-        fine = exact.follow_affordable(kappa, psi, options.damping)
+        fine = exact.follow_affordable(kappa, psi, options.damping, options.share)
         # what is not followed is 0 within a bound, as Coulomb's law has it for so weak a slip
         resort = "coulomb" if options.damping else "stiff"
         method = np.where(fine.switches == TOO_STIFF, resort, "exact")
         return Answer(
             fine.epsilon_t, fine.error_bound, method, fine.switches, fine.switches_certain
         )
-    return _cheapest(kappa, psi, options.tolerance)
+    return _cheapest(kappa, psi, options)
 
 
-def _cheapest(kappa: FloatArray, psi: FloatArray, tolerance: float) -> Answer:
+def _cheapest(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return ε_t of collisions (N,) from closed forms, then the table, then followed.
 
     What answers depends on the request alone: the table serves requests that save time by it, and
     if there is none yet it is built.
     """
+    tolerance = options.tolerance
     epsilon_t, bound = stiff_limit(kappa, psi)
     method = np.full(kappa.shape, "stiff")
     switches = np.full(kappa.shape, TOO_STIFF, np.int32)
@@ -84,7 +85,7 @@ def _cheapest(kappa: FloatArray, psi: FloatArray, tolerance: float) -> Answer:
         done = held[met]
         epsilon_t[done], bound[done], method[done] = read[met], certified[met], "table"
         needed = np.flatnonzero(bound > tolerance)
-    fine = exact.follow_affordable(kappa[needed], psi[needed], 0.0)
+    fine = exact.follow_affordable(kappa[needed], psi[needed], 0.0, options.share)
     epsilon_t[needed], bound[needed] = fine.epsilon_t, fine.error_bound
     switches[needed], certain[needed] = fine.switches, fine.switches_certain
     method[needed] = np.where(fine.switches == TOO_STIFF, "stiff", "exact")

@@ -96,7 +96,13 @@ def study_batch(
     order = np.argsort(group, kind="stable")
     parts = np.split(order, np.cumsum(np.bincount(group))[:-1])
     studies = [
-        _study(kappas[part], psis[part], quantities, replace(options, damping=float(eta)))
+        _study(
+            kappas[part],
+            psis[part],
+            quantities,
+            # each its part of the budget, so that all together stay within it
+            replace(options, damping=float(eta), share=part.size / kappas.size),
+        )
         for part, eta in zip(parts, different, strict=True)
     ]
     return _joined(studies, np.argsort(order, kind="stable"))
@@ -123,7 +129,7 @@ def _study(
     answer = planner.solve(kappas, psis, quantities, options)
     return BatchStudy(
         {
-            name: _column(name, kappas, psis, answer, options.damping)
+            name: _column(name, kappas, psis, answer, options)
             for name in dict.fromkeys((*QUANTITIES, *LISTED))
             if name in quantities
         },
@@ -134,8 +140,9 @@ def _study(
 
 
 def _column(
-    name: str, kappa: FloatArray, psi: FloatArray, answer: Answer, damping: float
+    name: str, kappa: FloatArray, psi: FloatArray, answer: Answer, options: Options
 ) -> Column:
+    damping, share = options.damping, options.share
     match name:
         case "epsilon_t":
             return answer.epsilon_t
@@ -146,7 +153,7 @@ def _column(
         case "error":
             exact = answer.exact
             if exact is None:
-                exact = known(follow_affordable(kappa, psi, damping))
+                exact = known(follow_affordable(kappa, psi, damping, share))
             return answer.epsilon_t - exact
     return _law(name, kappa, psi, damping)
 
