@@ -36,6 +36,18 @@ class Reference(NamedTuple):
     first_switch_time: np.ndarray
 
 
+class Damped(NamedTuple):
+    """One of the damped reference collisions."""
+
+    kappa: float
+    psi: float
+    damping: float
+    epsilon_t: float
+    epsilon_n: float
+    contact_duration: float
+    switches: int
+
+
 def read(name: str) -> list[dict[str, str]]:
     with (VALIDATION / name).open() as file:
         return list(csv.DictReader(file))
@@ -48,6 +60,14 @@ def reference() -> Reference:
         name: np.array([float(row[name] or "nan") for row in rows]) for name in Reference._fields
     }
     return Reference(**columns)
+
+
+@pytest.fixture(scope="session")
+def damped_reference() -> list[Damped]:
+    rows = read("damped.csv")
+    return [
+        Damped(*(float(row[n]) for n in Damped._fields[:-1]), int(row["switches"])) for row in rows
+    ]
 
 
 @pytest.fixture(scope="session")

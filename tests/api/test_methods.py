@@ -111,12 +111,6 @@ def test_a_method_that_does_not_exist_is_refused_with_those_that_do(service):
     assert all(name in entry["requirement"] for name in ("auto", *BY_NAME))
 
 
-def test_damping_is_refused_for_now(service):
-    entry = service.wrong("/collision", kappa=18, mu_over_alpha=1, gt_over_gn=1, damping=0.1)
-    assert entry["damping"]["value"] == "0.1"
-    assert "0" in entry["damping"]["requirement"]
-
-
 @pytest.mark.parametrize(
     "option",
     [

@@ -114,9 +114,21 @@ def test_quantities_are_a_list_of_words(service, quantities):
     assert "quantities" in wrong(service, FIGURE_2 | {"quantities": quantities})
 
 
-def test_damping_is_refused_in_words(service):
-    entry = wrong(service, FIGURE_2 | {"dissipative_constant_s": 1e-6})["dissipative_constant_s"]
-    assert "no viscous damping yet" in entry["requirement"]
+def test_damping_differs_from_column_to_column(service):
+    body = FIGURE_2 | {"dissipative_constant_s": 1e-6}
+    answer = service.read(service.post(body, path="/scaling/map"))
+    damping = np.array(answer["damping"])
+    # η ∝ g_n^{1/5}
+    normal = np.array(answer["normal_velocity_m_s"])
+    np.testing.assert_allclose(damping / damping[0], (normal / normal[0]) ** 0.2, rtol=1e-12)
+    impact = {
+        "normal_velocity_m_s": normal[1],
+        "tangential_velocity_m_s": answer["tangential_velocity_m_s"][1],
+    }
+    one = {key: value for key, value in body.items() if "velocity" not in key} | {"impact": impact}
+    study = service.read(service.post(one, path="/scaling"))
+    assert answer["epsilon_t"][1][1] == pytest.approx(study["epsilon_t"], abs=1e-12)
+    assert study["epsilon_n"] < 1.0
 
 
 def test_missing_ranges_are_named(service):

@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 from solver import solve_with_events
 
-from restitution.mechanics import collision
+from restitution.mechanics import collision, damped, viscoelastic
 from restitution.mechanics.compiled import MODEL_VERSION
 from restitution.methods import planner, table
 from restitution.methods.answer import Options
@@ -92,6 +92,24 @@ def kernels() -> dict[str, float]:
         * median(lambda: study_grid(*axes, 1.4), clock=time.perf_counter),
         "trace of 400 samples, ms CPU": 1e3 * trace,
     }
+
+
+def damping_figures(eta: float = 0.1) -> dict[str, float]:
+    """Return the costs of an η and of collisions with it, one thread."""
+    contact = viscoelastic.normal_contact(eta)
+    rng = np.random.default_rng(2011)
+    linear = np.meshgrid(np.linspace(0.1, 70, 150), np.linspace(0.01, 4, 150) / 1.4)
+    ranges = np.log([[0.3, 400.0], [0.05, 3.0]])
+    scattered = [np.exp(rng.uniform(low, high, 20_000)) for low, high in ranges]
+    figures = {}
+    for name, axes in (("linear grid", linear), ("κ .3…400, ψ .05…3", scattered)):
+        kappa, psi = (axis.ravel() for axis in axes)
+        outputs = [np.empty(kappa.size, t) for t in (float, np.int32, np.bool_, float)]
+        run = [contact, kappa, psi, collision.MOST_SWITCHES, *outputs]
+        seconds = median(lambda run=run: damped._collide_each(*run))
+        figures[f"damped collision, {name}, µs CPU"] = 1e6 * seconds / kappa.size
+    prepare = median(lambda: viscoelastic._prepare(eta, viscoelastic.MOST_STEPS), 51)
+    return figures | {"preparing a new η, ms CPU": 1e3 * prepare}
 
 
 def table_figures() -> dict[str, float]:
@@ -205,7 +223,9 @@ def requests() -> dict[str, float]:
 
 def main() -> None:
     """Measure, compare with the last run, print and store."""
-    figures = kernels() | table_figures() | general_solver() | requests() | start_up()
+    figures = (
+        kernels() | damping_figures() | table_figures() | general_solver() | requests() | start_up()
+    )
     unit = calibration()
     last = json.loads(RESULTS.read_text()) if RESULTS.exists() else None
     print(f"{'':58s}{'now':>12s}{'÷ last':>9s}")

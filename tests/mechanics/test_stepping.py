@@ -93,7 +93,7 @@ def test_contact_ends_within_the_bound_on_steps(integrator):
         touched, taken = False, 0
         while not (touched and x <= 0.0):
             touched = x > 0.0
-            x, rate, force = normal_step(dt, INTEGRATORS[integrator], x, rate, force)
+            x, rate, force = normal_step(dt, INTEGRATORS[integrator], 0.0, x, rate, force)
             taken += 1
         assert taken <= most_steps(steps), (steps, phase)
 

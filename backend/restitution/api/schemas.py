@@ -13,6 +13,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from restitution.api.ranges import CUT, table_scales
+from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.methods.answer import Options
 from restitution.methods.planner import METHODS
 from restitution.studies import batch, collision, trace
@@ -75,8 +76,8 @@ class Request(BaseModel):
 
     damping: Annotated[
         Finite,
-        stated("damping", "0: there is no viscous damping yet", "η = (3/2) A β^{2/5} g_n^{1/5}"),
-        Field(ge=0, le=0),
+        stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
+        Field(ge=0, le=MOST_DAMPING),
     ] = 0.0
     tolerance: Annotated[
         Finite,
@@ -113,6 +114,7 @@ class Request(BaseModel):
         return Options(
             method=self.method,
             tolerance=self.tolerance,
+            damping=self.damping,
             floor=self.floor,
             steps=self.steps,
             integrator=self.integrator,
@@ -162,7 +164,7 @@ class CollisionQuery(Formed):
     @property
     def parameters(self) -> CollisionParameters:
         """The collision itself."""
-        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
 
 
 class TraceQuery(CollisionQuery):

@@ -9,6 +9,7 @@ from restitution.studies.trace import study_trace
 def warm() -> None:
     """Run one collision through every kernel."""
     study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
+    study_trace(CollisionParameters(18.0, 1.4, 0.4, 0.1), samples=2)
     study_batch(18.0, 1.4, 0.4, QUANTITIES, Options("stiff"))
     study_trace(CollisionParameters(18.0, 1.4, 0.4), Options("timestep"), samples=2)
 

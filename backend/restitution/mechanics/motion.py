@@ -21,7 +21,14 @@ from restitution.mechanics.collision import (
     rounding_bound,
 )
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.damped import (
+    STRONGEST,
+    damped_rounding_bound,
+    expected_damped_switches,
+)
+from restitution.mechanics.damped_curves import damped_episodes, damped_tangential_curves
 from restitution.mechanics.hertz import CONTACT_DURATION, HALF_CONTACT, FloatArray, normal_motion
+from restitution.mechanics.viscoelastic import contact_duration, normal_contact
 
 
 @dataclass(frozen=True)
@@ -30,20 +37,24 @@ class Motion:
 
     Attributes
     ----------
-    kappa, psi : float
+    kappa, psi, damping : float
         Parameters; ψ at least `collision.WEAKEST`.
     episodes : ndarray of `EPISODE`, shape (switches + 1,)
         Beginning of each episode.
     start : ndarray, shape (switches + 1,)
         Instants of these beginnings, scaled by t_scale; the first is 0.
+    force : ndarray, shape (switches + 1,)
+        |κz| at these beginnings.
     epsilon_t, switches_certain, error_bound
         As in `collision.Collision`.
     """
 
     kappa: float
     psi: float
+    damping: float
     episodes: npt.NDArray[np.void]
     start: FloatArray
+    force: FloatArray
     epsilon_t: float
     switches_certain: bool
     error_bound: float
@@ -54,9 +65,14 @@ class Motion:
         return self.episodes.size - 1
 
     @property
+    def duration(self) -> float:
+        """Duration of the contact."""
+        return contact_duration(self.damping)
+
+    @property
     def end(self) -> FloatArray:
-        """Instants at which the episodes end; the last is `CONTACT_DURATION`."""
-        return np.append(self.start[1:], CONTACT_DURATION)
+        """Instants at which the episodes end; the last is the end of the contact."""
+        return np.append(self.start[1:], self.duration)
 
     @property
     def direction(self) -> npt.NDArray[np.int8]:
@@ -80,7 +96,16 @@ class TangentialCurves(NamedTuple):
     """Sign of z while sliding, 0 while sticking."""
 
 
-def motion(kappa: float, psi: float, most_switches: float = MOST_SWITCHES) -> Motion:
+@compiled
+def _caps(episodes: npt.NDArray[np.void], force: FloatArray) -> None:
+    for j in range(force.size):
+        root, _ = normal_motion(episodes[j]["q"])
+        force[j] = root * root * root
+
+
+def motion(
+    kappa: float, psi: float, most_switches: float = MOST_SWITCHES, damping: float = 0.0
+) -> Motion:
     """Return the collision episode by episode.
 
     Parameters
@@ -89,6 +114,8 @@ def motion(kappa: float, psi: float, most_switches: float = MOST_SWITCHES) -> Mo
         Positive and finite.
     most_switches : float, optional
         More expected switches than these are refused.
+    damping : float, optional
+        η.
 
     Raises
     ------
@@ -106,14 +133,22 @@ def motion(kappa: float, psi: float, most_switches: float = MOST_SWITCHES) -> Mo
         if not 0.0 < value < math.inf:
             raise ParameterError(name, value, "positive and finite")
     kappa, psi = float(kappa), max(float(psi), WEAKEST)
-    expected = expected_switches(kappa, psi)
-    bound = rounding_bound(kappa, psi)
-    if expected > most_switches or (bound >= 1.0 and psi < 2.0):
+    if damping:
+        contact = normal_contact(damping)
+        psi = min(psi, STRONGEST)
+        expected = expected_damped_switches(contact, kappa, psi)
+        bound, impulse = damped_rounding_bound(contact, kappa, psi), contact.impulse
+    else:
+        expected, bound, impulse = expected_switches(kappa, psi), rounding_bound(kappa, psi), 2.0
+    if expected > most_switches or (bound >= 1.0 and psi < impulse):
         raise CostError(
             f"kappa = {kappa:g} needs about {expected:.2g} switches, more than the "
             f"{most_switches:.6g} that are followed"
         )
     room = int(expected) + 2
+    if damping:
+        episodes, start, force, epsilon_t, certain = damped_episodes(kappa, psi, damping, room)
+        return Motion(kappa, psi, damping, episodes, start, force, epsilon_t, bool(certain), bound)
     while True:
         episodes = np.zeros(room, dtype=EPISODE)
         epsilon_t, switches, certain = follow(kappa, psi, episodes)
@@ -123,7 +158,9 @@ def motion(kappa: float, psi: float, most_switches: float = MOST_SWITCHES) -> Mo
     episodes = episodes[: switches + 1]
     square = episodes["q"] ** 2
     start = np.where(episodes["decompressing"], CONTACT_DURATION - square, square)
-    return Motion(kappa, psi, episodes, start, epsilon_t, bool(certain), bound)
+    force = np.empty(start.size)
+    _caps(episodes, force)
+    return Motion(kappa, psi, 0.0, episodes, start, force, epsilon_t, bool(certain), bound)
 
 
 @compiled
@@ -177,6 +214,14 @@ def tangential_curves(collision: Motion, time: FloatArray) -> TangentialCurves:
 
     An instant of a switch belongs to the episode that begins there.
     """
+    if collision.damping:
+        curves, regime = damped_tangential_curves(
+            collision.damping,
+            (collision.kappa, collision.psi),
+            (collision.episodes, collision.start, collision.force),
+            time,
+        )
+        return TangentialCurves(curves[0], curves[1], curves[2], regime)
     curves = np.empty((3, time.size))
     regime = np.empty(time.size, np.int8)
     _tangential_curves(
@@ -193,7 +238,12 @@ def tangential_curves(collision: Motion, time: FloatArray) -> TangentialCurves:
 
 @compiled
 def _reversals(
-    kappa: float, episodes: npt.NDArray[np.void], start: FloatArray, last_velocity: float
+    kappa: float,
+    episodes: npt.NDArray[np.void],
+    start: FloatArray,
+    force: FloatArray,
+    duration: float,
+    last_velocity: float,
 ) -> int:
     """Return how often u changes its sign."""
     omega = math.sqrt(kappa)
@@ -206,9 +256,8 @@ def _reversals(
             # a velocity of exactly 0 has not turned
             count += (u0 > 0.0 and u1 < 0.0) or (u0 < 0.0 and u1 > 0.0)
         else:
-            root, _ = normal_motion(episodes[j]["q"])
-            lag = math.atan2(episodes[j]["side"] * root * root * root / omega, u0)
-            phase = omega * ((CONTACT_DURATION if final else start[j + 1]) - start[j]) + lag
+            lag = math.atan2(episodes[j]["side"] * force[j] / omega, u0)
+            phase = omega * ((duration if final else start[j + 1]) - start[j]) + lag
             count += math.floor(phase / math.pi + 0.5) - math.floor(lag / math.pi + 0.5)
     return count
 
@@ -220,6 +269,8 @@ def reversals(collision: Motion) -> int:
             collision.kappa,
             collision.episodes,
             collision.start,
+            collision.force,
+            collision.duration,
             collision.epsilon_t * collision.psi,
         )
     )
@@ -227,15 +278,20 @@ def reversals(collision: Motion) -> int:
 
 @compiled
 def _sensitivity(
-    kappa: float, psi: float, episodes: npt.NDArray[np.void], start: FloatArray
+    kappa: float,
+    psi: float,
+    episodes: npt.NDArray[np.void],
+    start: FloatArray,
+    force: FloatArray,
 ) -> tuple[float, float]:
     """Return κ ∂(u(t_c)/ψ)/∂κ and ∂u(t_c)/∂ψ."""
     omega = math.sqrt(kappa)
     by_kappa, by_psi = 0.0, 1.0
-    for j in range(1, start.size, 2):
+    for j in range(start.size):
+        if episodes[j]["sliding"]:
+            continue
         u0 = episodes[j]["velocity"] / psi
-        root, _ = normal_motion(episodes[j]["q"])
-        w0 = episodes[j]["side"] * root * root * root / omega / psi
+        w0 = episodes[j]["side"] * force[j] / omega / psi
         angle = omega * (start[j + 1] - start[j])
         sine, cosine = math.sin(angle), math.cos(angle)
         by_kappa = by_kappa * cosine + 0.5 * (w0 * sine - angle * (u0 * sine + w0 * cosine))
@@ -253,6 +309,6 @@ def sensitivity(collision: Motion) -> tuple[float, float]:
     A change of κ acts in sticking only, on the frequency and on z = s x^{3/2}/κ at its beginning.
     """
     by_kappa, by_psi = _sensitivity(
-        collision.kappa, collision.psi, collision.episodes, collision.start
+        collision.kappa, collision.psi, collision.episodes, collision.start, collision.force
     )
     return float(by_kappa), float(by_psi - collision.epsilon_t)

@@ -13,7 +13,8 @@ import numpy.typing as npt
 
 from restitution.mechanics.collision import WEAKEST, workers
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.viscoelastic import contact_duration
 
 INTEGRATORS: dict[str, tuple[float, float, float]] = {
     "velocity_verlet": (0.5, 0.5, 0.0),
@@ -51,14 +52,23 @@ def most_steps(steps: int) -> int:
 
 @compiled
 def normal_step(
-    dt: float, kicks: tuple[float, float, float], x: float, rate: float, force: float
+    dt: float,
+    kicks: tuple[float, float, float],
+    damping: float,
+    x: float,
+    rate: float,
+    force: float,
 ) -> tuple[float, float, float]:
-    """Return compression, its rate and the normal force after one step."""
+    """Return compression, its rate and the normal force after one step.
+
+    The damping acts by the rate before the last kick, which is what is known then.
+    """
     before, after, late = kicks
     middle = rate - before * dt * force
     x += dt * middle
-    new = x * math.sqrt(x) if x > 0.0 else 0.0
-    return x, middle - after * dt * new - late * dt * force, new
+    middle -= late * dt * force
+    new = max(0.0, math.sqrt(x) * (x + damping * middle)) if x > 0.0 else 0.0
+    return x, middle - after * dt * new, new
 
 
 @compiled
@@ -90,6 +100,7 @@ def _step_together(
     phase: float,
     limit: int,
     kicks: tuple[float, float, float],
+    damping: float,
     velocity: FloatArray,
     switches: npt.NDArray[np.int32],
 ) -> None:
@@ -98,7 +109,7 @@ def _step_together(
     force = np.zeros(count)
     stiffness = np.empty(count)
     # as wide as the other numbers, so that the loop over collisions has one width
-    sliding = np.ones(count, np.int64)
+    sliding = np.full(count, np.int64(damping == 0.0))
     changes = np.zeros(count, np.int64)
     for i in range(count):
         velocity[i] = psi[i]
@@ -106,14 +117,14 @@ def _step_together(
     x, rate, cap = -phase * dt, 1.0, 0.0
     touched = False
     for _ in range(limit):
-        x, rate, cap = normal_step(dt, kicks, x, rate, cap)
+        x, rate, cap = normal_step(dt, kicks, damping, x, rate, cap)
         for i in range(count):
             velocity[i], force[i], capped = tangential_step(
                 dt, kicks, stiffness[i], cap, velocity[i], force[i]
             )
             changes[i] += sliding[i] ^ np.int64(capped)
             sliding[i] = np.int64(capped)
-        if touched and x <= 0.0:
+        if touched and (x <= 0.0 or (cap == 0.0 and rate < 0.0)):
             break
         touched = x > 0.0
     for i in range(count):
@@ -128,6 +139,7 @@ def _step_each(
     phase: float,
     limit: int,
     kicks: tuple[float, float, float],
+    damping: float,
     together: int,
     velocity: FloatArray,
     switches: npt.NDArray[np.int32],
@@ -142,6 +154,7 @@ def _step_each(
             phase,
             limit,
             kicks,
+            damping,
             velocity[begin:end],
             switches[begin:end],
         )
@@ -154,6 +167,7 @@ def step_collisions(
     integrator: str = "velocity_verlet",
     phase: float = 0.0,
     together: int = LOCK_STEP,
+    damping: float = 0.0,
 ) -> Stepped:
     """Return what a code with fixed time steps makes of collisions.
 
@@ -170,7 +184,9 @@ def step_collisions(
         by a whole dt u, as those codes do; so 1 is 0, a step later.
     together : int, optional
         Collisions that share the computation of the normal motion, which depends on none of their
-        parameters. 1 costs what a code pays whose contacts begin when they like.
+        parameters but η. 1 costs what a code pays whose contacts begin when they like.
+    damping : float, optional
+        η. `steps` then are those of the damped contact, whose count of switches is odd.
 
     Returns
     -------
@@ -184,7 +200,7 @@ def step_collisions(
     >>> float(fine.epsilon_t[0].round(5)), int(fine.switches[0])
     (0.10475, 4)
     """
-    dt = CONTACT_DURATION / steps
+    dt = contact_duration(damping) / steps
     kicks = INTEGRATORS[integrator]
     start = np.clip(psi, WEAKEST, np.finfo(float).max)
     velocity, switches = np.empty(kappa.size), np.empty(kappa.size, np.int32)
@@ -199,6 +215,7 @@ def step_collisions(
             phase,
             most_steps(steps),
             kicks,
+            damping,
             together,
             velocity[part],
             switches[part],
@@ -208,7 +225,7 @@ def step_collisions(
         fill(0)
     else:
         list(workers().map(fill, range(0, kappa.size, PART)))
-    switches[psi == 0.0] = 0
+    switches[(psi == 0.0) | (psi == np.inf)] = 0
     return Stepped(velocity / start, switches)
 
 
@@ -219,6 +236,7 @@ def _record(
     dt: float,
     phase: float,
     kicks: tuple[float, float, float],
+    damping: float,
     course: FloatArray,
 ) -> int:
     """Fill the rows of `course` (3, steps) with time, force, velocity; return how many steps."""
@@ -227,17 +245,22 @@ def _record(
     velocity, force = psi, 0.0
     touched = False
     for i in range(1, course.shape[1]):
-        x, rate, cap = normal_step(dt, kicks, x, rate, cap)
+        x, rate, cap = normal_step(dt, kicks, damping, x, rate, cap)
         velocity, force, _ = tangential_step(dt, kicks, kappa * dt, cap, velocity, force)
         course[0, i], course[1, i], course[2, i] = (i - phase) * dt, force, velocity
-        if touched and x <= 0.0:
+        if touched and (x <= 0.0 or (cap == 0.0 and rate < 0.0)):
             return i + 1
         touched = x > 0.0
     return int(course.shape[1])
 
 
 def stepped_course(
-    kappa: float, psi: float, steps: int, integrator: str = "velocity_verlet", phase: float = 0.0
+    kappa: float,
+    psi: float,
+    steps: int,
+    integrator: str = "velocity_verlet",
+    phase: float = 0.0,
+    damping: float = 0.0,
 ) -> FloatArray:
     """Return time, spring force and velocity at the touch and at the end of each step.
 
@@ -249,6 +272,6 @@ def stepped_course(
         Time since the touch; κz/m, positive for a stretched spring; u/m. Scaled, m = μ/α.
     """
     course = np.empty((3, most_steps(steps) + 1))
-    dt = CONTACT_DURATION / steps
-    used = _record(kappa, max(psi, WEAKEST), dt, phase, INTEGRATORS[integrator], course)
+    dt = contact_duration(damping) / steps
+    used = _record(kappa, max(psi, WEAKEST), dt, phase, INTEGRATORS[integrator], damping, course)
     return course[:, :used]

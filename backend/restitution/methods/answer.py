@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
 
 
@@ -18,6 +19,10 @@ class Options:
         ``auto`` or the name of a method.
     tolerance : float
         Largest absolute error wanted in ε_t.
+    damping : float
+        η = (3/2) A β^{2/5} g_n^{1/5} of all the collisions, 0 … `viscoelastic.MOST_DAMPING`.
+    share : float
+        Of the budget of a request, what these collisions may use; less than 1 beside others.
     floor : float
         ε₀ of the pragmatic model.
     steps : int
@@ -32,6 +37,8 @@ class Options:
 
     method: str = "auto"
     tolerance: float = 1e-10
+    damping: float = 0.0
+    share: float = 1.0
     floor: float = 0.0
     steps: int = 50
     integrator: str = "velocity_verlet"
@@ -65,3 +72,10 @@ class Answer:
     switches: npt.NDArray[np.int32] | None = None
     switches_certain: npt.NDArray[np.bool_] | None = None
     exact: FloatArray | None = None
+
+
+def refuse_damping(options: Options, reason: str) -> None:
+    """Raise `ParameterError` if a method that is made for η = 0 is asked for another one."""
+    if options.damping > 0.0:
+        requirement = f"another one for damping = {options.damping:g}: {reason}"
+        raise ParameterError("method", options.method, requirement)

@@ -4,6 +4,7 @@ import numpy as np
 
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import coulomb_restitution
+from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods.answer import Answer, Options
 from restitution.methods.measured import measured
 
@@ -12,7 +13,7 @@ def law(psi: FloatArray, options: Options) -> FloatArray:
     """Return ε_t by Eq. 16, or with ε₀ = `options.floor` by the pragmatic model, for (N,)."""
     floor = options.floor if options.method == "pragmatic" else 0.0
     with np.errstate(divide="ignore"):
-        return coulomb_restitution(psi, floor=floor)
+        return coulomb_restitution(psi, normal_restitution(options.damping), floor)
 
 
 def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
@@ -21,4 +22,4 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     The error is measured: the distance to the exact ε_t and its own bound. The law itself costs
     nanoseconds, its error what the exact method costs.
     """
-    return measured(kappa, psi, law(psi, options), options.method)
+    return measured(kappa, psi, law(psi, options), options)

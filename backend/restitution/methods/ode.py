@@ -12,9 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError
-from restitution.mechanics.collision import WEAKEST, expected_switch_counts
-from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
+from restitution.mechanics.collision import WEAKEST
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.answer import Answer, Options
+from restitution.methods.exact import expected_counts
 from restitution.methods.measured import measured
 
 MOST_STEPS = 60_000
@@ -59,8 +61,11 @@ class Integrated(NamedTuple):
 class _Contact:
     """The equations of one contact, and how often they were evaluated; states x, ẋ, y, w."""
 
-    def __init__(self, kappa: float, psi: float, rtol: float, most_evaluations: float) -> None:
+    def __init__(
+        self, kappa: float, psi: float, rtol: float, most_evaluations: float, damping: float
+    ) -> None:
         self.kappa = kappa
+        self.damping = damping
         self.noise = max(1e-3 * rtol, 1e-14)
         self.friction = 1.0 / max(psi, WEAKEST)
         self.most_evaluations = most_evaluations
@@ -70,11 +75,21 @@ class _Contact:
 
     def cap(self, state: State) -> float:
         """Return the largest force of the spring."""
-        return float(self.friction * max(state[0], 0.0) ** 1.5)
+        return float(self.friction * self.normal_force(state))
+
+    def normal_force(self, state: State) -> float:
+        """Return the normal force, which does not attract."""
+        x = max(state[0], 0.0)
+        return float(max(0.0, x**1.5 + self.damping * math.sqrt(x) * state[1]))
 
     def cap_rate(self, state: State) -> float:
         """Return the rate of the cap."""
-        return self.friction * 1.5 * math.sqrt(max(state[0], 0.0)) * state[1]
+        x, rate = max(state[0], 0.0), state[1]
+        undamped = 1.5 * math.sqrt(x) * rate
+        if not self.damping or x == 0.0:
+            return self.friction * undamped
+        grown = 0.5 * rate * rate / math.sqrt(x) - math.sqrt(x) * self.normal_force(state)
+        return float(self.friction * (undamped + self.damping * grown))
 
     def _motion(self, state: State, spring_rate: float, force: float) -> State:
         self.evaluations += 1
@@ -83,7 +98,7 @@ class _Contact:
                 f"the general solver was stopped after {self.evaluations - 1:,} evaluations, the "
                 f"limit for kappa = {self.kappa:g}; ask for a larger rtol, or for method=exact"
             )
-        return [state[1], -(max(state[0], 0.0) ** 1.5), spring_rate, -force]
+        return [state[1], -self.normal_force(state), spring_rate, -force]
 
     def sliding(self, _: float, state: State) -> State:
         """Return the rates while the spring is at the cap; its own is left for the end."""
@@ -130,7 +145,7 @@ class _Contact:
 
     def leaves(self, _: float, state: State) -> float:
         """Return what falls through 0 at the end of the contact."""
-        return state[0]
+        return state[0] + self.damping * state[1]
 
 
 def _terminal(event: Callable[[float, State], float]) -> Callable[[float, State], float]:
@@ -149,6 +164,7 @@ def integrate(
     rtol: float,
     spring: Spring = "events",
     most_evaluations: float = math.inf,
+    damping: float = 0.0,
 ) -> Integrated:
     """Return ε_t of one collision by DOP853 to a relative tolerance for each step.
 
@@ -162,6 +178,8 @@ def integrate(
         What becomes of the spring at the cap, see `Spring`.
     most_evaluations : float, optional
         Of the equations.
+    damping : float, optional
+        η; the contact then begins sticking.
 
     Raises
     ------
@@ -170,11 +188,12 @@ def integrate(
     """
     from scipy.integrate import solve_ivp  # noqa: PLC0415 - a third of a second at each start
 
-    contact = _Contact(kappa, psi, rtol, most_evaluations)
+    contact = _Contact(kappa, psi, rtol, most_evaluations, damping)
+    duration = contact_duration(damping)
     leave = _terminal(contact.leaves)
     longest = min(LONGEST_STEP, 0.5 / math.sqrt(kappa))
     state: FloatArray = np.array([0.0, 1.0, 0.0, 1.0])
-    time, slides, switches = 0.0, True, 0
+    time, slides, switches = 0.0, not damping, 0
     while True:
         if spring == "events":
             equations = contact.sliding if slides else contact.sticking
@@ -185,7 +204,7 @@ def integrate(
             solution = solve_ivp(
                 equations,
                 # a little longer than a contact, which ends where the overlap does
-                (time, 1.01 * CONTACT_DURATION),
+                (time, 1.01 * duration),
                 state,
                 method="DOP853",
                 events=events,
@@ -197,26 +216,33 @@ def integrate(
         if solution.status < 0:
             raise CostError(f"the general solver stopped: {solution.message.lower()}")
         time, state = float(solution.t[-1]), solution.y[:, -1]
-        over = state[1] < 0.0 and state[0] <= RESOLUTION
+        over = state[1] < 0.0 and contact.leaves(time, state) <= RESOLUTION
         if spring != "events" or solution.status == 0 or solution.t_events[0].size or over:
             break
         slides, switched = contact.change(time, state, slides=slides)
         switches += switched
-    count = switches + switches % 2 if spring == "events" else UNCOUNTED
+    count = switches + (switches + (damping > 0.0)) % 2 if spring == "events" else UNCOUNTED
     return Integrated(float(state[3]), count, contact.evaluations)
 
 
-def expected_steps(kappa: FloatArray, psi: FloatArray, rtol: float) -> FloatArray:
+def expected_steps(
+    kappa: FloatArray, psi: FloatArray, rtol: float, damping: float = 0.0
+) -> FloatArray:
     """Return about how many steps the solver takes for collisions (N,), rather too many."""
-    swings = 2.0 * CONTACT_DURATION * np.sqrt(kappa)
+    swings = 2.0 * contact_duration(damping) * np.sqrt(kappa)
     # the order of the method is 8
     finer = max(1.0, 1e-9 / rtol) ** 0.125
-    expected: FloatArray = finer * (40.0 + 8.0 * expected_switch_counts(kappa, psi) + swings)
+    expected: FloatArray = finer * (40.0 + 8.0 * expected_counts(kappa, psi, damping) + swings)
     return expected
 
 
 def run(
-    kappa: FloatArray, psi: FloatArray, rtol: float, spring: Spring = "events"
+    kappa: FloatArray,
+    psi: FloatArray,
+    rtol: float,
+    spring: Spring = "events",
+    damping: float = 0.0,
+    share: float = 1.0,
 ) -> tuple[FloatArray, npt.NDArray[np.int32]]:
     """Return ε_t and switches of collisions (N,) by `integrate`, within the budget of a request.
 
@@ -225,19 +251,19 @@ def run(
     CostError
         If the collisions are too many or too stiff, or the solver does not get on.
     """
-    steps = expected_steps(kappa, psi, rtol)
-    if steps.sum() > MOST_STEPS or steps.max(initial=0.0) > MOST_STEPS_EACH:
+    steps = expected_steps(kappa, psi, rtol, damping)
+    if steps.sum() > MOST_STEPS * share or steps.max(initial=0.0) > MOST_STEPS_EACH:
         raise CostError(
             f"the general solver would take about {steps.sum():.3g} steps here, up to "
-            f"{steps.max():.3g} in one collision; the limits are {MOST_STEPS:,} and "
+            f"{steps.max():.3g} in one collision; the limits are {MOST_STEPS * share:,.0f} and "
             f"{MOST_STEPS_EACH:,}. Ask for fewer or softer collisions, or for method=exact"
         )
     results = [
-        integrate(k, p, rtol, spring, STEPS_TO_EVALUATIONS * n)
+        integrate(k, p, rtol, spring, STEPS_TO_EVALUATIONS * n, damping)
         for k, p, n in zip(kappa.tolist(), psi.tolist(), steps.tolist(), strict=True)
     ]
     switches = np.array([result.switches for result in results], np.int32)
-    switches[psi == 0.0] = 0
+    switches[(psi == 0.0) | (psi == np.inf)] = 0
     return np.array([result.epsilon_t for result in results]), switches
 
 
@@ -247,5 +273,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     The error is measured: the distance to the exact ε_t and its own bound. Cost: milliseconds for
     each collision, in proportion to its switches and to √κ.
     """
-    epsilon_t, switches = run(kappa, psi, options.rtol)
-    return measured(kappa, psi, epsilon_t, "ode", switches)
+    epsilon_t, switches = run(
+        kappa, psi, options.rtol, damping=options.damping, share=options.share
+    )
+    return measured(kappa, psi, epsilon_t, options, switches)

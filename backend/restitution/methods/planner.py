@@ -47,28 +47,32 @@ def solve(
         If there is no such method.
     CostError
         If a method asked for by name would cost too much. ``auto`` is never refused: what is too
-        stiff to be followed gets the stiff limit with its bound.
+        stiff to be followed gets the stiff limit with its bound, or with damping, for which the
+        limit and the table are not made, Coulomb's 0 with the bound by energy.
     """
     if options.method != "auto":
         if options.method not in METHODS:
             allowed = f"one of auto, {', '.join(METHODS)}"
             raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
-    if not EPSILON_T_ALONE.issuperset(quantities):
-        fine = exact.follow_affordable(kappa, psi)
-        method = np.where(fine.switches == TOO_STIFF, "stiff", "exact")
+    if options.damping or not EPSILON_T_ALONE.issuperset(quantities):
+        fine = exact.follow_affordable(kappa, psi, options.damping, options.share)
+        # what is not followed is 0 within a bound, as Coulomb's law has it for so weak a slip
+        resort = "coulomb" if options.damping else "stiff"
+        method = np.where(fine.switches == TOO_STIFF, resort, "exact")
         return Answer(
             fine.epsilon_t, fine.error_bound, method, fine.switches, fine.switches_certain
         )
-    return _cheapest(kappa, psi, options.tolerance)
+    return _cheapest(kappa, psi, options)
 
 
-def _cheapest(kappa: FloatArray, psi: FloatArray, tolerance: float) -> Answer:
+def _cheapest(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return ε_t of collisions (N,) from closed forms, then the table, then followed.
 
     What answers depends on the request alone: the table serves requests that save time by it, and
     if there is none yet it is built.
     """
+    tolerance = options.tolerance
     epsilon_t, bound = stiff_limit(kappa, psi)
     method = np.full(kappa.shape, "stiff")
     switches = np.full(kappa.shape, TOO_STIFF, np.int32)
@@ -81,7 +85,7 @@ def _cheapest(kappa: FloatArray, psi: FloatArray, tolerance: float) -> Answer:
         done = held[met]
         epsilon_t[done], bound[done], method[done] = read[met], certified[met], "table"
         needed = np.flatnonzero(bound > tolerance)
-    fine = exact.follow_affordable(kappa[needed], psi[needed])
+    fine = exact.follow_affordable(kappa[needed], psi[needed], 0.0, options.share)
     epsilon_t[needed], bound[needed] = fine.epsilon_t, fine.error_bound
     switches[needed], certain[needed] = fine.switches, fine.switches_certain
     method[needed] = np.where(fine.switches == TOO_STIFF, "stiff", "exact")

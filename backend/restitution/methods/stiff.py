@@ -4,7 +4,7 @@ import numpy as np
 
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_bound, stiff_limit
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer, Options, refuse_damping
 
 
 def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
@@ -13,7 +13,13 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     The bound is proven: rounding in the first case, `limits.stiff_bound` in the second (1 between
     ψ = 2 and ψ*(κ), where that says nothing); ``auto`` knows a sharper one, `limits.stiff_limit`.
     Cost: 20 ns.
+
+    Raises
+    ------
+    ParameterError
+        For η > 0.
     """
+    refuse_damping(options, "the stiff limit is proven without damping only")
     epsilon_t, bound = stiff_limit(kappa, psi)
     return Answer(
         epsilon_t,

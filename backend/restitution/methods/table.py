@@ -25,7 +25,7 @@ from restitution.mechanics.patches import (
     psi_at,
     undivided,
 )
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer, Options, refuse_damping
 
 KAPPA_RANGE = (1e-2, 1e3)
 PSI_RANGE = (1e-3, 1e3)
@@ -213,8 +213,9 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     Raises
     ------
     ParameterError
-        If a collision lies outside the table.
+        If a collision lies outside the table, as all do that have η > 0.
     """
+    refuse_damping(options, "the table holds collisions without damping")
     weak = psi == 0.0
     looked_up = np.where(weak, 1.0, psi)
     held = within(kappa, looked_up)

@@ -23,10 +23,12 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
         If steps × collisions are too many.
     """
     cost = options.steps * kappa.size
-    if cost > MOST_STEPS:
+    if cost > MOST_STEPS * options.share:
         raise CostError(
             f"{kappa.size:,} collisions of {options.steps:,} steps are {cost:.3g} steps; the limit "
-            f"is {MOST_STEPS:.3g}. Ask for fewer collisions or fewer steps"
+            f"is {MOST_STEPS * options.share:.3g}. Ask for fewer collisions or fewer steps"
         )
-    stepped = step_collisions(kappa, psi, options.steps, options.integrator, options.phase)
-    return measured(kappa, psi, stepped.epsilon_t, "timestep", stepped.switches)
+    stepped = step_collisions(
+        kappa, psi, options.steps, options.integrator, options.phase, damping=options.damping
+    )
+    return measured(kappa, psi, stepped.epsilon_t, options, stepped.switches)

@@ -1,20 +1,28 @@
 """Many collisions at once, with the quantities asked for."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.methods.exact import follow_affordable, known
 from restitution.studies.parameters import check, scaled_velocity
 
+MOST_DAMPINGS = 2000
+"""Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
+
 QUANTITIES = ("epsilon_t", "switches", "coulomb", "stiff_bound", "stiff_asymptote", "error")
+LISTED = ("epsilon_t", "epsilon_n", "switches")
+"""Quantities of cuts and maps; of lists of collisions."""
 
 Column = FloatArray | npt.NDArray[np.int32]
 
@@ -54,51 +62,111 @@ def study_batch(
     gt_over_gn: npt.ArrayLike,
     quantities: Collection[str] = ("epsilon_t", "switches"),
     options: Options | None = None,
+    damping: npt.ArrayLike | None = None,
 ) -> BatchStudy:
     """Return `quantities` of collisions whose parameters are broadcast to (N,).
+
+    η is `damping`, if given, else that of `options`; both are broadcast as the others are.
 
     Raises
     ------
     ParameterError
         If a parameter is out of range.
     CostError
-        If a method asked for by name would cost too much.
+        If a method asked for by name would cost too much, or for too many different η.
     """
     options = options or Options()
-    check(kappa, mu_over_alpha, gt_over_gn)
-    kappas, psis = np.broadcast_arrays(
+    etas = np.asarray(options.damping if damping is None else damping, dtype=np.float64)
+    check(kappa, mu_over_alpha, gt_over_gn, etas)
+    kappas, psis, many = np.broadcast_arrays(
         np.atleast_1d(np.asarray(kappa, dtype=np.float64)),
         scaled_velocity(mu_over_alpha, gt_over_gn),
+        etas,
     )
     # copies, for numba warns of arrays that were broadcast
     kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
+    if etas.size <= 1:
+        return _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
+    different, group = np.unique(many, return_inverse=True)
+    if different.size > MOST_DAMPINGS:
+        raise CostError(
+            f"{different.size:,} different values of damping in one request are more than "
+            f"{MOST_DAMPINGS:,}, the limit: each needs a normal motion of its own"
+        )
+    order = np.argsort(group, kind="stable")
+    parts = np.split(order, np.cumsum(np.bincount(group))[:-1])
+    studies = [
+        _study(
+            kappas[part],
+            psis[part],
+            quantities,
+            # each its part of the budget, so that all together stay within it
+            replace(options, damping=float(eta), share=part.size / kappas.size),
+        )
+        for part, eta in zip(parts, different, strict=True)
+    ]
+    return _joined(studies, np.argsort(order, kind="stable"))
+
+
+def _joined(studies: list[BatchStudy], places: npt.NDArray[np.intp]) -> BatchStudy:
+    """Return several studies as one, whose k-th collision is number `places[k]` of them all."""
+
+    def join(arrays: list[Any]) -> Any:
+        return np.concatenate(arrays)[places]
+
+    return BatchStudy(
+        {name: join([study.columns[name] for study in studies]) for name in studies[0].columns},
+        join([study.method for study in studies]),
+        join([study.error_bound for study in studies]),
+        join([study.tolerance_met for study in studies]),
+    )
+
+
+def _study(
+    kappas: FloatArray, psis: FloatArray, quantities: Collection[str], options: Options
+) -> BatchStudy:
+    """Return the study of collisions (N,) of one η."""
     answer = planner.solve(kappas, psis, quantities, options)
     return BatchStudy(
-        {name: _column(name, kappas, psis, answer) for name in QUANTITIES if name in quantities},
+        {
+            name: _column(name, kappas, psis, answer, options)
+            for name in dict.fromkeys((*QUANTITIES, *LISTED))
+            if name in quantities
+        },
         answer.method,
         answer.error_bound,
         answer.error_bound <= options.tolerance,
     )
 
 
-def _column(name: str, kappa: FloatArray, psi: FloatArray, answer: Answer) -> Column:
-    with np.errstate(divide="ignore", over="ignore"):
-        match name:
-            case "epsilon_t":
-                return answer.epsilon_t
-            case "switches":
-                return counted_switches(answer)
-            case "coulomb":
-                return limits.coulomb_restitution(psi)
-            case "stiff_bound":
-                return limits.stiff_bound(kappa, psi)
-            case "stiff_asymptote":
-                return limits.stiff_asymptote(kappa, psi)
-            case _:
-                exact = answer.exact
-                if exact is None:
-                    exact = known(follow_affordable(kappa, psi))
-                return answer.epsilon_t - exact
+def _column(
+    name: str, kappa: FloatArray, psi: FloatArray, answer: Answer, options: Options
+) -> Column:
+    damping, share = options.damping, options.share
+    match name:
+        case "epsilon_t":
+            return answer.epsilon_t
+        case "epsilon_n":
+            return np.full(kappa.shape, normal_restitution(damping))
+        case "switches":
+            return counted_switches(answer)
+        case "error":
+            exact = answer.exact
+            if exact is None:
+                exact = known(follow_affordable(kappa, psi, damping, share))
+            return answer.epsilon_t - exact
+    return _law(name, kappa, psi, damping)
+
+
+@np.errstate(divide="ignore", over="ignore")
+def _law(name: str, kappa: FloatArray, psi: FloatArray, damping: float) -> FloatArray:
+    """Return one of the simple laws; those of the stiff limit are made for η = 0."""
+    if name == "coulomb":
+        return limits.coulomb_restitution(psi, normal_restitution(damping))
+    if damping:
+        return np.full(kappa.shape, np.nan)
+    law = limits.stiff_bound if name == "stiff_bound" else limits.stiff_asymptote
+    return law(kappa, psi)
 
 
 def counted_switches(answer: Answer) -> Column:

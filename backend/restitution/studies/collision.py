@@ -3,14 +3,14 @@
 import functools
 import itertools
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
-from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
+from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.studies.parameters import CONVENTION, CollisionParameters
@@ -99,7 +99,9 @@ class CollisionStudy:
 def followed_motion(parameters: CollisionParameters) -> Motion | None:
     """Return the episodes of a collision; None for those that have no spring: ψ = 0 or ∞."""
     psi = parameters.psi
-    return motion(parameters.kappa, psi) if 0.0 < psi < np.inf else None
+    if not 0.0 < psi < np.inf:
+        return None
+    return motion(parameters.kappa, psi, damping=parameters.damping)
 
 
 def study_collision(
@@ -113,9 +115,9 @@ def study_collision(
     Parameters
     ----------
     parameters : CollisionParameters
-        κ, μ/α, g_t/g_n.
+        κ, μ/α, g_t/g_n, η.
     options : Options, optional
-        Method and tolerance.
+        Method and tolerance; η is that of the parameters.
     quantities : collection of str, optional
         Of `QUANTITIES`; the others are None.
     episode_limit : int, optional
@@ -126,7 +128,7 @@ def study_collision(
     >>> study_collision(CollisionParameters(63.0, 1.4, 1.358)).switches
     8
     """
-    options = options or Options()
+    options = replace(options or Options(), damping=parameters.damping)
     wanted = frozenset(quantities)
     psi = parameters.psi
     answer = planner.solve(np.array([parameters.kappa]), np.array([psi]), wanted, options)
@@ -139,22 +141,24 @@ def study_collision(
     return CollisionStudy(
         parameters=parameters,
         epsilon_t=epsilon_t,
-        epsilon_n=1.0,
+        epsilon_n=normal_restitution(parameters.damping),
         switches=switches if "switches" in wanted else None,
         switches_certain=certain,
         reversals=course.reversals if course and "reversals" in wanted else None,
-        contact_duration=CONTACT_DURATION,
+        contact_duration=contact_duration(parameters.damping),
         episodes=course.episodes if course and "episodes" in wanted else None,
         episodes_truncated=bool(course and course.count > episode_limit),
         energy=_energy(parameters.gt_over_gn, epsilon_t) if "energy" in wanted else None,
-        estimates=estimates(parameters.kappa, psi) if "estimates" in wanted else None,
+        estimates=estimates(parameters.kappa, psi, parameters.damping)
+        if "estimates" in wanted
+        else None,
         # where the bound is 1 double precision does not hold the phase, nor any derivative
         sensitivity=(
             course.sensitivity
             if course and "sensitivity" in wanted and answer.error_bound[0] < 1.0
             else None
         ),
-        summary=_summary(answer, course, psi) if "summary" in wanted else None,
+        summary=_summary(answer, course, parameters) if "summary" in wanted else None,
         limit=psi == 0.0,
         method=str(answer.method[0]),
         error_bound=float(answer.error_bound[0]),
@@ -185,14 +189,13 @@ class _Course:
 def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
     """Return how the collision goes, with its first `episode_limit` episodes."""
     path = followed_motion(parameters)
+    duration = contact_duration(parameters.damping)
     if path is None:
         resting = parameters.psi == 0.0
-        only = Episode(
-            "sticking" if resting else "sliding", 0.0, CONTACT_DURATION, int(not resting)
-        )
-        phase = np.sqrt(parameters.kappa) * CONTACT_DURATION if resting else 0.0
+        only = Episode("sticking" if resting else "sliding", 0.0, duration, int(not resting))
+        phase = np.sqrt(parameters.kappa) * duration if resting else 0.0
         slope = Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)
-        return _Course(1, CONTACT_DURATION, 0, slope, [only][:episode_limit])
+        return _Course(1, duration, 0, slope, [only][:episode_limit])
     listed = zip(path.start, path.end, path.direction, strict=True)
     return _Course(
         path.switches + 1,
@@ -208,11 +211,12 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
     )
 
 
-def _summary(answer: Answer, course: _Course | None, psi: float) -> str:
+def _summary(answer: Answer, course: _Course | None, parameters: CollisionParameters) -> str:
+    psi, damping = parameters.psi, parameters.damping
     epsilon_t, bound = float(answer.epsilon_t[0]), float(answer.error_bound[0])
     if course is None:
         return summarise(epsilon_t, bound, None, 0.0, 0, resting=psi == 0.0)
-    share = course.first_end / CONTACT_DURATION
+    share = course.first_end / contact_duration(damping)
     turns = course.reversals
     return summarise(epsilon_t, bound, course.count - 1, share, turns, resting=psi == 0.0)
 
@@ -224,11 +228,11 @@ def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
     return Energy(initial, epsilon_t * epsilon_t * initial, lost * initial, lost)
 
 
-def estimates(kappa: float, psi: float) -> Estimates:
-    """Return Coulomb's law and both stiff limits for one collision."""
+def estimates(kappa: float, psi: float, damping: float = 0.0) -> Estimates:
+    """Return Coulomb's law and, for η = 0, both stiff limits for one collision."""
     with np.errstate(divide="ignore", over="ignore"):
         return Estimates(
-            float(limits.coulomb_restitution(psi)),
-            float(limits.stiff_bound(kappa, psi)),
-            float(limits.stiff_asymptote(kappa, psi)),
+            float(limits.coulomb_restitution(psi, normal_restitution(damping))),
+            np.nan if damping else float(limits.stiff_bound(kappa, psi)),
+            np.nan if damping else float(limits.stiff_asymptote(kappa, psi)),
         )

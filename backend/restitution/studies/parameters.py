@@ -7,6 +7,7 @@ import numpy.typing as npt
 
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.viscoelastic import MOST_DAMPING
 
 CONVENTION = (
     "epsilon_t = g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels "
@@ -30,7 +31,7 @@ def scaled_velocity(mu_over_alpha: npt.ArrayLike, gt_over_gn: npt.ArrayLike) -> 
 
 @dataclass(frozen=True)
 class CollisionParameters:
-    """κ, μ/α, g_t/g_n of one collision.
+    """κ, μ/α, g_t/g_n and η of one collision.
 
     Attributes
     ----------
@@ -40,14 +41,17 @@ class CollisionParameters:
         μ/α, 0 or more.
     gt_over_gn : float
         Tangential over normal velocity at the contact point before the collision, 0 or more.
+    damping : float
+        η = (3/2) A β^{2/5} g_n^{1/5}, 0 … `MOST_DAMPING`.
     """
 
     kappa: float
     mu_over_alpha: float
     gt_over_gn: float
+    damping: float = 0.0
 
     def __post_init__(self) -> None:
-        check(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+        check(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
 
     @property
     def psi(self) -> float:
@@ -55,10 +59,21 @@ class CollisionParameters:
         return float(scaled_velocity(self.mu_over_alpha, self.gt_over_gn))
 
 
-def check(kappa: npt.ArrayLike, mu_over_alpha: npt.ArrayLike, gt_over_gn: npt.ArrayLike) -> None:
-    """Raise `ParameterError` unless κ > 0, μ/α ≥ 0, g_t/g_n ≥ 0, all finite; of any shape."""
+def check(
+    kappa: npt.ArrayLike,
+    mu_over_alpha: npt.ArrayLike,
+    gt_over_gn: npt.ArrayLike,
+    damping: npt.ArrayLike = 0.0,
+) -> None:
+    """Raise `ParameterError` unless κ > 0, μ/α, g_t/g_n, η ≥ 0, all finite; of any shape.
+
+    η beyond `MOST_DAMPING` is refused as well.
+    """
     kappas = np.asarray(kappa, dtype=np.float64)
     require("kappa", kappas, np.isfinite(kappas) & (kappas > 0), "finite and > 0")
     for name, value in (("mu_over_alpha", mu_over_alpha), ("gt_over_gn", gt_over_gn)):
         values = np.asarray(value, dtype=np.float64)
         require(name, values, np.isfinite(values) & (values >= 0), "finite and ≥ 0")
+    etas = np.asarray(damping, dtype=np.float64)
+    allowed = (etas >= 0) & (etas <= MOST_DAMPING)
+    require("damping", etas, allowed, f"from 0 to {MOST_DAMPING:g}, up to which it is followed")

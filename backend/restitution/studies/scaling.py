@@ -4,7 +4,14 @@ import functools
 import math
 from dataclasses import dataclass
 
-from restitution.mechanics.hertz import CONTACT_DURATION, MAXIMUM_COMPRESSION, MAXIMUM_FORCE
+from restitution.errors import ParameterError
+from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
+from restitution.mechanics.viscoelastic import (
+    MOST_DAMPING,
+    contact_duration,
+    largest_compression,
+    largest_force,
+)
 from restitution.studies.bodies import Body, Pair, pair
 from restitution.studies.powers import product_of_powers, representable
 
@@ -134,9 +141,9 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
     )
     length = held("length_scale_m", product_of_powers((g_n, 8), (beta, -4)))
     time = held("time_scale_s", product_of_powers((g_n, -2), (beta, -4)))
-    compression = held("maximum_compression_m", MAXIMUM_COMPRESSION * length)
+    undamped = held("maximum_compression_m", MAXIMUM_COMPRESSION * length)
     mindlin = product_of_powers(
-        (8.0, 10), (both.effective_shear_modulus_pa, 10), (radius, 5), (compression, 5)
+        (8.0, 10), (both.effective_shear_modulus_pa, 10), (radius, 5), (undamped, 5)
     )
     given = contact.tangential_stiffness_n_per_m
     stiffness = held("tangential_stiffness_n_per_m", mindlin) if given is None else given
@@ -151,7 +158,12 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
         damping = max(product, SMALLEST)
         if not math.isfinite(damping):
             held("damping", damping, f"the dissipative constant, {EVERYTHING}")
-    force = product_of_powers((MAXIMUM_FORCE, 10), (mass, 10), (beta, 4), (g_n, 12))
+        if damping > MOST_DAMPING:
+            requirement = f"smaller: with damping = {damping:.3g} the contact is not followed"
+            raise ParameterError(
+                "dissipative_constant_s", contact.dissipative_constant_s, requirement
+            )
+    force = product_of_powers((largest_force(damping), 10), (mass, 10), (beta, 4), (g_n, 12))
     return Scales(
         pair=both,
         normal_velocity_m_s=g_n,
@@ -162,7 +174,7 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
         damping=damping,
         tangential_stiffness_n_per_m=stiffness,
         mindlin_stiffness_n_per_m=mindlin,
-        contact_duration_s=held("contact_duration_s", CONTACT_DURATION * time),
-        maximum_compression_m=compression,
+        contact_duration_s=held("contact_duration_s", contact_duration(damping) * time),
+        maximum_compression_m=held("maximum_compression_m", largest_compression(damping) * length),
         maximum_normal_force_n=held("maximum_normal_force_n", force),
     )

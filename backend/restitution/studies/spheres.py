@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 
-from restitution.errors import ParameterError
 from restitution.methods.answer import Options
 from restitution.studies.collision import study_collision
 from restitution.studies.impact import After, Impact, after_impact, contact_velocity
@@ -57,16 +56,6 @@ class ScalingStudy:
     convention: str
 
 
-def refuse_damping(contact: Contact) -> None:
-    """Raise `ParameterError` for a contact with viscous damping."""
-    if contact.dissipative_constant_s > 0.0:
-        raise ParameterError(
-            "dissipative_constant_s",
-            contact.dissipative_constant_s,
-            "0: there is no viscous damping yet",
-        )
-
-
 def study_scaling(
     contact: Contact, impact: Velocities | Impact, options: Options | None = None
 ) -> ScalingStudy:
@@ -94,7 +83,6 @@ def study_scaling(
     >>> round(study.kappa), round(1e6 * study.contact_duration_s, 1)
     (11225, 66.1)
     """
-    refuse_damping(contact)
     if isinstance(impact, Velocities):
         approach, g_n, g_t = None, impact.normal_velocity_m_s, impact.tangential_velocity_m_s
         # of bodies that do not spin
@@ -108,6 +96,7 @@ def study_scaling(
         at.kappa,
         friction_over_alpha(contact.friction_coefficient, at.pair.alpha),
         velocity_ratio(g_t, g_n),
+        at.damping,
     )
     found = study_collision(parameters, options, ("epsilon_t", "epsilon_n", "switches"))
     after = None

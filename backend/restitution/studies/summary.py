@@ -52,7 +52,7 @@ def summarise(
     switches : int, or None
         Changes of regime; None if they were not counted.
     first_slide : float
-        Share of the contact until the first switch.
+        Share of the contact until the first switch; before it an odd number of switches sticks.
     turns : int
         Sign changes of the surface velocity.
     resting : bool
@@ -67,8 +67,11 @@ def summarise(
         return f"{outcome[0].upper()}{outcome[1:]}."
     if switches == 0:
         return f"Slides during the whole contact; {outcome}."
-    story = f"Slides {_percent(first_slide)} of the contact, sticks"
-    again = switches // 2 - 1
+    if switches % 2:
+        # with damping
+        story, again = f"Sticks {_percent(first_slide)} of the contact", switches // 2
+    else:
+        story, again = f"Slides {_percent(first_slide)} of the contact, sticks", switches // 2 - 1
     if again:
         story += f", slips and sticks {_TIMES.get(again, f'{again} times')} more"
     if turns:

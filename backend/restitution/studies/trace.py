@@ -8,11 +8,14 @@ import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
-from restitution.mechanics.collision import WEAKEST, expected_switches
-from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray, normal_curves
+from restitution.mechanics.collision import WEAKEST
+from restitution.mechanics.damped_curves import damped_normal_curves
+from restitution.mechanics.hertz import FloatArray, normal_curves
 from restitution.mechanics.motion import Motion, tangential_curves
 from restitution.mechanics.stepping import stepped_course
+from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.answer import Options
+from restitution.methods.exact import expected_counts
 from restitution.studies.collision import CollisionStudy, followed_motion, study_collision
 from restitution.studies.parameters import CollisionParameters
 
@@ -71,7 +74,7 @@ def study_trace(
     Parameters
     ----------
     parameters : CollisionParameters
-        κ, μ/α, g_t/g_n.
+        κ, μ/α, g_t/g_n, η.
     options : Options, optional
         Method and tolerance of ε_t; the columns are exact, those of ``timestep`` stand beside them.
     samples : int, optional
@@ -84,7 +87,9 @@ def study_trace(
     CostError
         If the collision is too stiff or switches more often than `MOST_SWITCHES`.
     """
-    expected = expected_switches(parameters.kappa, parameters.psi)
+    eta = parameters.damping
+    one = np.array([parameters.kappa]), np.array([parameters.psi])
+    expected = float(expected_counts(*one, eta)[0])
     if expected > FOLLOWED_SWITCHES:
         raise _too_many(f"about {expected:.1e}")
     collision = study_collision(parameters, options, episode_limit=episode_limit)
@@ -92,10 +97,10 @@ def study_trace(
     switch_times = path.start[1:] if path else np.empty(0)
     if switch_times.size > MOST_SWITCHES:
         raise _too_many(f"{switch_times.size:,}")
-    uniform = np.linspace(0.0, CONTACT_DURATION, samples)
+    uniform = np.linspace(0.0, contact_duration(eta), samples)
     time = np.insert(uniform, np.searchsorted(uniform, switch_times, side="right"), switch_times)
     wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
-    compression, rate, cap = normal_curves(time)
+    compression, rate, cap = damped_normal_curves(eta, time) if eta else normal_curves(time)
     values: dict[str, FloatArray | npt.NDArray[np.int8]] = {
         "time": time,
         "compression": compression,
@@ -119,7 +124,12 @@ def _stepped(parameters: CollisionParameters, options: Options) -> dict[str, Flo
     """Return the columns of a collision in time steps, named and signed as the exact ones."""
     psi = min(parameters.psi, np.finfo(float).max)
     time, force, velocity = stepped_course(
-        parameters.kappa, psi, options.steps, options.integrator, options.phase
+        parameters.kappa,
+        psi,
+        options.steps,
+        options.integrator,
+        options.phase,
+        parameters.damping,
     )
     shown = np.arange(0, time.size, -(-time.size // MOST_STEPS))
     shown[-1] = time.size - 1

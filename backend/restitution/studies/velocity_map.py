@@ -16,7 +16,6 @@ from restitution.studies.scaling import (
     scales,
     velocity_ratio,
 )
-from restitution.studies.spheres import refuse_damping
 
 OF_NORMAL_VELOCITY = (
     "kappa",
@@ -76,7 +75,6 @@ def study_velocity_map(
     ParameterError
         If a range is empty or a quantity is beyond double precision.
     """
-    refuse_damping(contact)
     normal = normal_velocity.values(positive=True)
     tangential = tangential_velocity.values(positive=False)
     steps = [scales(contact, g_n) for g_n in normal.tolist()]
@@ -86,6 +84,8 @@ def study_velocity_map(
     velocity_ratio(float(tangential[-1]), float(normal[0]))
     ratios = tangential[:, None] / normal
     ratios[(ratios == 0.0) & (tangential > 0.0)[:, None]] = SMALLEST
-    kappas = np.broadcast_to(columns["kappa"], ratios.shape)
-    batch = study_batch(kappas.ravel(), friction, ratios.ravel(), quantities, options)
+    kappas, dampings = (
+        np.broadcast_to(columns[name], ratios.shape).ravel() for name in ("kappa", "damping")
+    )
+    batch = study_batch(kappas, friction, ratios.ravel(), quantities, options, dampings)
     return VelocityMap(normal, tangential, friction, columns, batch)

@@ -31,7 +31,8 @@ from restitution.api.schemas import (
     TraceQuery,
 )
 from restitution.errors import CostError
-from restitution.studies.batch import BatchStudy, study_batch
+from restitution.mechanics.viscoelastic import MOST_DAMPING
+from restitution.studies.batch import LISTED, BatchStudy, study_batch
 from restitution.studies.collision import CollisionStudy, study_collision
 from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
@@ -43,7 +44,7 @@ ALLOWED: dict[str, Allowed] = {
     "kappa": lambda values: values > 0.0,
     "mu_over_alpha": lambda values: values >= 0.0,
     "gt_over_gn": lambda values: values >= 0.0,
-    "damping": lambda values: values == 0.0,
+    "damping": lambda values: (values >= 0.0) & (values <= MOST_DAMPING),
 }
 """Parameter of ``POST /collisions`` that may be a list → which finite numbers it takes."""
 
@@ -193,11 +194,10 @@ def _collide_many(body: dict[str, Any]) -> Result:
         arrays["gt_over_gn"],
         options.quantities,
         options.options,
+        arrays["damping"],
     )
     payload: Payload = {
-        **{name: batch.columns[name] for name in ("epsilon_t",) if name in batch.columns},
-        **({"epsilon_n": np.ones(batch.method.size)} if "epsilon_n" in options.quantities else {}),
-        **{name: batch.columns[name] for name in ("switches",) if name in batch.columns},
+        **{name: batch.columns[name] for name in LISTED if name in batch.columns},
         "method": batch.method,
         "error_bound": batch.error_bound,
         "tolerance_met": batch.tolerance_met.tolist(),

@@ -1,0 +1,190 @@
+"""Where sliding ends in a damped contact, and where in it an instant lies.
+
+All quantities are in the units of the `Contact`; z and u are the paper's divided by m = μ/α. An
+instant is q in one of the halves, with a word on the half, or a time since the start. With
+r = κP + P̈ (docs/model.md, "Events with damping"):
+
+* The sign of r changes where κ = −P̈/P, which falls, rises and falls again, or only falls: three
+  times for soft springs (κ between the local extrema), else once, from − to +.
+* Sliding ends where the reach κ(1 − V) + Ṗ, whose rate is r, has grown enough.
+"""
+
+import math
+
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.switching import MOST_STEPS, ROUNDING, newton_within
+from restitution.mechanics.viscoelastic import (
+    Contact,
+    cap_bend,
+    cap_slope,
+    curvature_at,
+    damped_motion,
+    rate_at,
+)
+
+NOWHERE = -1.0
+"""Stands for a time that there is not."""
+
+
+@compiled
+def place(contact: Contact, falling: bool, time: float) -> float:
+    """Return q at a time from the start, or to the end when `falling`."""
+    longest = contact.duration - contact.peak_time if falling else contact.peak_time
+    end = contact.falling_end if falling else contact.rising_end
+    if time <= 0.0:
+        return 0.0
+    if time >= longest:
+        return end
+    low, high = 0.0, end
+    # without damping q² is the time; at the end P = 0, and R is what the damping has left
+    root, _, _, _ = damped_motion(contact, falling, 0.0)
+    q = min(time / (root + math.sqrt(root * root + time)), end)
+    for n in range(MOST_STEPS):
+        root, _, _, passed = damped_motion(contact, falling, q)
+        if passed > time:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, passed - time, 2.0 * root, low, high)
+        if found:
+            return min(max(q, 0.0), end)
+    raise ArithmeticError("the place of a time in the contact was not found")
+
+
+@compiled
+def at_time(contact: Contact, time: float) -> tuple[bool, float]:
+    """Return the half and q at a time from the start."""
+    if time <= contact.peak_time:
+        return False, place(contact, False, time)
+    return True, place(contact, True, contact.duration - time)
+
+
+@compiled
+def position_time(contact: Contact, position: float) -> float:
+    """Return the time from the start at a distance in τ from the start."""
+    if position <= contact.rising_end:
+        return damped_motion(contact, False, position)[3]
+    left = contact.rising_end + contact.falling_end - position
+    return contact.duration - damped_motion(contact, True, left)[3]
+
+
+@compiled
+def _curvature_root(contact: Contact, kappa: float, low: float, high: float, sign: float) -> float:
+    """Return the time at which −P̈/P passes κ between two positions, rising for `sign` 1."""
+    # to 1e-8: what depends on it is at an extremum there
+    for _ in range(27):
+        middle = 0.5 * (low + high)
+        if sign * (curvature_at(contact, middle) - kappa) < 0.0:
+            low = middle
+        else:
+            high = middle
+    return position_time(contact, 0.5 * (low + high))
+
+
+@compiled
+def outrun(contact: Contact, kappa: float) -> tuple[float, float]:
+    """Return the times between which the cap curves away from the spring in mid-contact.
+
+    There r < 0, as at the start; `NOWHERE` twice if it is so at the start only.
+    """
+    if contact.ridge < 0.0 or not contact.valley_value < kappa < contact.ridge_value:
+        return NOWHERE, NOWHERE
+    end = contact.rising_end + contact.falling_end
+    begin = _curvature_root(contact, kappa, contact.valley, contact.ridge, 1.0)
+    return begin, _curvature_root(contact, kappa, contact.ridge, end, -1.0)
+
+
+@compiled
+def reach(contact: Contact, kappa: float, falling: bool, q: float) -> float:
+    """Return 2R (κL + |Ṗ|), L being the velocity spent, or yet to be spent when `falling`."""
+    root, cap, loss, _ = damped_motion(contact, falling, q)
+    slope = cap_slope(contact.a, contact.b, root, rate_at(contact, falling, loss), cap)
+    return 2.0 * root * kappa * loss + (-slope if falling else slope)
+
+
+@compiled
+def has_ended(
+    contact: Contact, kappa: float, target: float, lacking: float, falling: bool, q: float
+) -> bool:
+    """Return whether sliding, had it gone on, would have ended before q."""
+    root, _, _, _ = damped_motion(contact, falling, q)
+    reached = reach(contact, kappa, falling, q)
+    if falling:
+        return reached < 2.0 * root * kappa * lacking
+    return reached >= 2.0 * root * kappa * target
+
+
+@compiled
+def sliding_root(
+    contact: Contact, kappa: float, target: float, falling: bool, low: float, high: float
+) -> float:
+    """Return q in (low, high) where κL + |Ṗ| = κ `target`, below it at `low`."""
+    q = 0.5 * (low + high)
+    sense = -1.0 if falling else 1.0
+    for n in range(MOST_STEPS):
+        root, cap, loss, _ = damped_motion(contact, falling, q)
+        rate = rate_at(contact, falling, loss)
+        slope = cap_slope(contact.a, contact.b, root, rate, cap)
+        bend = cap_bend(contact.a, contact.b, root, rate, cap)
+        excess = kappa * (loss - target)
+        value = 2.0 * root * excess + sense * slope
+        gradient = (
+            2.0 * sense * rate * excess
+            + 4.0 * kappa * root * root * root * cap
+            + (rate * slope + bend) / root
+        )
+        if value > 0.0:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, gradient, low, high)
+        if found:
+            return min(max(q, low), high)
+    raise ArithmeticError("the end of sliding was not found")
+
+
+@compiled
+def sliding_end(
+    contact: Contact,
+    kappa: float,
+    falling: bool,
+    q: float,
+    towards: float,
+    bend_begin: float,
+) -> tuple[bool, bool, float, float, bool]:
+    """Return whether sliding ends, half, q, velocity towards its side there, and certainty.
+
+    Sliding began at q with the velocity `towards`. The velocity is the last of the collision if
+    sliding does not end.
+    """
+    _, _, loss, time = damped_motion(contact, falling, q)
+    target = towards + loss
+    lacking = loss - towards if falling else contact.impulse - target
+    short = kappa * lacking - contact.last_slope
+    certain = abs(short) > 8.0 * ROUNDING * (kappa * (abs(target) + 2.0) + contact.last_slope)
+    time = contact.duration - time if falling else time
+    high = q if falling else contact.rising_end
+    end, rising_ends = 0.0, False
+    if time < bend_begin:
+        # the reach grows until then and shrinks; if it does not suffice there, it will later
+        turn_falling, turn = at_time(contact, bend_begin)
+        if has_ended(contact, kappa, target, lacking, turn_falling, turn):
+            if turn_falling:
+                end = turn
+            else:
+                high, rising_ends = turn, True
+    if not falling:
+        if rising_ends or has_ended(contact, kappa, target, lacking, False, high):
+            q = sliding_root(contact, kappa, target, False, q, high)
+            root, cap, spent, _ = damped_motion(contact, False, q)
+            slope = cap_slope(contact.a, contact.b, root, 1.0 - spent, cap)
+            velocity = 0.5 * slope / root / kappa if kappa > 1.0 else target - spent
+            return True, False, q, velocity, True
+        high = contact.falling_end
+    if short <= 0.0:
+        return False, True, 0.0, -lacking, certain
+    q = sliding_root(contact, kappa, lacking, True, end, high)
+    root, cap, loss, _ = damped_motion(contact, True, q)
+    slope = cap_slope(contact.a, contact.b, root, rate_at(contact, True, loss), cap)
+    velocity = 0.5 * slope / root / kappa if kappa > 1.0 else min(loss - lacking, 0.0)
+    return True, True, q, velocity, certain

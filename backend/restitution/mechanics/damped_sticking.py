@@ -1,0 +1,325 @@
+"""Where sticking ends in a damped contact: bracketed roots.
+
+As in `damped_sliding`. What makes the brackets safe is derived in docs/model.md, "Events with
+damping". While the spring κz keeps its sign, g = P/|κz| falls and rises with W = Ṗκz − Pκu, whose
+rate is r κz. So g has one minimum where r > 0, and the spring meets the cap if g < 1 there, before.
+"""
+
+import math
+
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.damped_sliding import NOWHERE, at_time, place
+from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, ROUNDING, newton_within
+from restitution.mechanics.viscoelastic import (
+    Contact,
+    cap_bend,
+    cap_slope,
+    damped_motion,
+    rate_at,
+)
+
+
+@compiled
+def spring_at(elapsed: float, omega: float, force: float, pull: float) -> tuple[float, float]:
+    """Return κz and κu/ω after `elapsed`, from their values `force` and `pull`."""
+    sine, cosine = math.sin(omega * elapsed), math.cos(omega * elapsed)
+    return force * cosine + pull * sine, pull * cosine - force * sine
+
+
+@compiled
+def gap_and_lead(
+    contact: Contact, omega: float, t0: float, force: float, pull: float, time: float
+) -> tuple[float, float]:
+    """Return P − κz and 2R (Ṗκz − Pκu) at a time; `force`, `pull` are κz and κu/ω at t₀."""
+    falling, q = at_time(contact, time)
+    root, cap, loss, _ = damped_motion(contact, falling, q)
+    rate = rate_at(contact, falling, loss)
+    spring, moving = spring_at(time - t0, omega, force, pull)
+    slope = cap_slope(contact.a, contact.b, root, rate, cap)
+    return root * cap - spring, slope * spring - 2.0 * root * root * cap * omega * moving
+
+
+@compiled
+def halved(contact: Contact, begin: float, end: float, later: bool) -> tuple[bool, float, float]:
+    """Return the half and q from and to, for the part of an interval of times in one half.
+
+    `later` says in which half, if it lies in both.
+    """
+    peak = contact.peak_time
+    falling = begin >= peak or (end > peak and later)
+    if falling:
+        high = (
+            contact.falling_end if begin <= peak else place(contact, True, contact.duration - begin)
+        )
+        return True, place(contact, True, contact.duration - end), high
+    low = place(contact, False, begin)
+    return False, low, contact.rising_end if end >= peak else place(contact, False, end)
+
+
+@compiled
+def closest(
+    contact: Contact,
+    kappa: float,
+    t0: float,
+    force: float,
+    pull: float,
+    begin: float,
+    end: float,
+) -> float:
+    """Return the time between two at which P/κz has its minimum: W < 0 before and > 0 after it."""
+    omega = math.sqrt(kappa)
+    later = begin < contact.peak_time < end
+    if later:
+        later = gap_and_lead(contact, omega, t0, force, pull, contact.peak_time)[1] < 0.0
+    falling, low, high = halved(contact, begin, end, later)
+    sense = -1.0 if falling else 1.0
+    origin = contact.duration - t0 if falling else -t0
+    q = 0.5 * (low + high)
+    if low == 0.0 and not falling and contact.b < contact.a:
+        q = min(q, math.sqrt(contact.b))
+    for n in range(MOST_STEPS):
+        root, cap, loss, passed = damped_motion(contact, falling, q)
+        rate = rate_at(contact, falling, loss)
+        spring, moving = spring_at(origin + sense * passed, omega, force, pull)
+        slope = cap_slope(contact.a, contact.b, root, rate, cap)
+        bend = cap_bend(contact.a, contact.b, root, rate, cap)
+        square = root * root
+        value = slope * spring - 2.0 * square * cap * omega * moving
+        growth = rate * value + spring * (4.0 * kappa * square * square * cap + bend)
+        if (value > 0.0) == falling:
+            low = q
+        else:
+            high = q
+        q, found = newton_within(n, q, value, sense * growth / root, low, high)
+        if found:
+            _, _, _, passed = damped_motion(contact, falling, min(max(q, low), high))
+            return contact.duration - passed if falling else passed
+    raise ArithmeticError("the nearest approach of spring and cap was not found")
+
+
+@compiled
+def meeting(
+    contact: Contact,
+    omega: float,
+    origin: float,
+    force: float,
+    pull: float,
+    falling: bool,
+    low: float,
+    high: float,
+    guess: float,
+) -> tuple[float, float]:
+    """Return q in (low, high) where the spring meets the cap from below, and κu/ω there.
+
+    The spring is κz = `force` and κu/ω = `pull` at the time `origin` to the end, if `falling`, or
+    −`origin` from the start.
+    """
+    sense = -1.0 if falling else 1.0
+    q = guess if low < guess < high else 0.5 * (low + high)
+    for n in range(MOST_STEPS):
+        if high < NEGLIGIBLE:
+            break
+        root, cap, loss, passed = damped_motion(contact, falling, q)
+        rate = rate_at(contact, falling, loss)
+        spring, moving = spring_at(origin + sense * passed, omega, force, pull)
+        value = cap - spring / root
+        growth = (
+            2.0 * root * (contact.a * rate - contact.b * root * cap)
+            - 2.0 * omega * moving
+            + spring * rate / (root * root)
+        )
+        if (value > 0.0) == falling:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, sense * growth, low, high)
+        if found:
+            break
+    else:
+        raise ArithmeticError("the end of sticking was not found")
+    q = min(max(q, low), high)
+    _, _, _, passed = damped_motion(contact, falling, q)
+    return q, spring_at(origin + sense * passed, omega, force, pull)[1]
+
+
+@compiled
+def cap_fall_time(contact: Contact, amplitude: float) -> float:
+    """Return the time to the end when P has fallen to `amplitude`; at most that of its peak."""
+    if not amplitude < contact.peak:
+        return contact.duration - contact.peak_time
+    low, high = 0.0, contact.falling_end
+    q = min(amplitude ** (1.0 / 3.0), 0.5 * high)
+    for n in range(MOST_STEPS):
+        root, cap, loss, passed = damped_motion(contact, True, q)
+        slope = cap_slope(contact.a, contact.b, root, rate_at(contact, True, loss), cap)
+        value = root * cap - amplitude
+        if value > 0.0:
+            high = q
+        else:
+            low = q
+        q, found = newton_within(n, q, value, -slope, low, high)
+        if found:
+            return passed
+    raise ArithmeticError("the fall of the cap was not found")
+
+
+@compiled
+def meeting_before_bend_end(
+    contact: Contact,
+    kappa: float,
+    t0: float,
+    force: float,
+    pull: float,
+    begin: float,
+    end: float,
+    nearing: bool,
+    bend_begin: float,
+    bend_end: float,
+) -> tuple[bool, float, float, bool]:
+    """Return whether κz > 0 meets the cap between two times and before `bend_end`.
+
+    Also the times that bracket the meeting or, without one, from where on to look, and whether
+    spring and cap approach each other there; see `meeting_in_swing`.
+    """
+    omega = math.sqrt(kappa)
+    if begin < bend_begin:
+        stop = min(end, bend_begin)
+        gap, lead = gap_and_lead(contact, omega, t0, force, pull, stop)
+        if gap <= 0.0 and lead <= 0.0:
+            return True, begin, stop, True
+        if lead > 0.0 and nearing:
+            least = closest(contact, kappa, t0, force, pull, begin, stop)
+            if gap_and_lead(contact, omega, t0, force, pull, least)[0] <= 0.0:
+                return True, begin, least, True
+        begin, nearing = stop, lead <= 0.0
+    if begin < min(bend_end, end):
+        stop = min(end, bend_end)
+        gap, lead = gap_and_lead(contact, omega, t0, force, pull, stop)
+        if gap <= 0.0:
+            return True, begin, stop, True
+        begin, nearing = stop, lead < 0.0
+    return False, begin, end, nearing
+
+
+@compiled
+def meeting_in_swing(
+    contact: Contact,
+    kappa: float,
+    t0: float,
+    force: float,
+    pull: float,
+    begin: float,
+    extremum: float,
+    end: float,
+    nearing: bool,
+) -> tuple[bool, float, float, bool]:
+    """Return whether κz > 0 meets the cap in a half-swing where r changes its sign to + at most.
+
+    The swing goes from `begin` over `extremum` to `end`; `nearing` says that spring and cap
+    approach each other at first, in proportion. Also the times that bracket the meeting, and
+    whether rounding has no say in it.
+    """
+    omega = math.sqrt(kappa)
+    if begin < extremum < end:
+        gap, lead = gap_and_lead(contact, omega, t0, force, pull, extremum)
+        if gap <= 0.0:
+            return True, begin, extremum, True
+        if lead < 0.0:
+            begin, nearing = extremum, True
+        else:
+            end = extremum
+    if end >= contact.duration:
+        # the force of the cap vanishes there, that of the spring does not
+        return True, begin, end, True
+    if not nearing or begin >= end:
+        return False, begin, end, True
+    least = closest(contact, kappa, t0, force, pull, begin, end)
+    gap, _ = gap_and_lead(contact, omega, t0, force, pull, least)
+    rounding = 8.0 * ROUNDING * (1.0 + omega * contact.duration)
+    return gap <= 0.0, begin, least, abs(gap) > rounding * math.hypot(force, pull)
+
+
+@compiled
+def sticking_end(
+    contact: Contact,
+    kappa: float,
+    t0: float,
+    force: float,
+    pull: float,
+    bend_begin: float,
+    bend_end: float,
+) -> tuple[bool, float, int, float, bool]:
+    """Return half, q, side, velocity κu/ω towards that side and certainty of the next sliding.
+
+    At t₀ the spring is κz = `force` ≥ 0, on the cap or, at t₀ = 0, at rest; κu/ω = `pull`.
+    """
+    omega = math.sqrt(kappa)
+    lead = math.atan2(pull, force)
+    soft = bend_end >= 0.0
+    resting = t0 == 0.0
+    swing = 0
+    if not soft and not resting:
+        # what left the cap stays within it in this swing, and while the cap rises
+        fallen = contact.duration - cap_fall_time(contact, math.hypot(force, pull))
+        swing = max(1, math.floor((omega * (fallen - t0) - lead) / math.pi + 0.5))
+    checked = False
+    certain = True
+    for _ in range(MOST_STEPS):
+        sign = 1 - 2 * (swing & 1)
+        extremum = t0 + (lead + swing * math.pi) / omega
+        # rounding of a large phase can put z = 0 just behind the end of the contact
+        begin = min(max(t0, extremum - 0.5 * math.pi / omega), contact.duration)
+        end = min(extremum + 0.5 * math.pi / omega, contact.duration)
+        y0, w0 = sign * force, sign * pull
+        met, begin, end, nearing = meeting_before_bend_end(
+            contact, kappa, t0, y0, w0, begin, end, resting or swing > 0, bend_begin, bend_end
+        )
+        if not met:
+            met, begin, end, sure = meeting_in_swing(
+                contact, kappa, t0, y0, w0, begin, extremum, end, nearing
+            )
+            certain = certain and sure
+        if met:
+            break
+        swing += 1
+        if not soft and not checked:
+            # the cap is above the amplitude from here on until it has fallen
+            checked = True
+            fallen = contact.duration - cap_fall_time(contact, math.hypot(force, pull))
+            last = math.floor((omega * (fallen - t0) - lead) / math.pi + 0.5)
+            swing = max(swing, last)
+    else:
+        raise ArithmeticError("the swing in which sticking ends was not found")
+    peak = contact.peak_time
+    later = begin < peak < end
+    if later:
+        later = gap_and_lead(contact, omega, t0, sign * force, sign * pull, peak)[0] > 0.0
+    falling, low, high = halved(contact, begin, end, later)
+    origin = contact.duration - t0 if falling else -t0
+    guess = NOWHERE
+    if resting and not falling:
+        # P = bτ + aτ³ and κz = κψτ² for short times
+        load = omega * pull
+        inside = max(0.0, load * load - 4.0 * contact.a * contact.b)
+        guess = 2.0 * contact.b / (load + math.sqrt(inside))
+    q, towards = meeting(
+        contact, omega, origin, sign * force, sign * pull, falling, low, high, guess
+    )
+    return falling, q, sign, towards, certain
+
+
+@compiled
+def sticking_end_while_falling(
+    contact: Contact, omega: float, left: float, force: float, speed: float
+) -> tuple[float, float]:
+    """Return q at the next cap, on the other side, and the velocity κu/ω towards it there.
+
+    Sticking began at the time `left` before the end, on the cap with κz = `force` and κu/ω =
+    −`speed` towards z = 0, where r > 0 from then on.
+    """
+    zero = max(0.0, left - math.atan2(force, speed) / omega)
+    amplitude = math.hypot(force, speed)
+    low = place(contact, True, zero - 0.5 * math.pi / omega)
+    high = place(contact, True, zero)
+    # at the time `zero` the spring passes 0, moving towards the other side
+    return meeting(contact, omega, zero, 0.0, amplitude, True, low, high, NOWHERE)
