@@ -1,16 +1,14 @@
 // @ts-check
 
+import { createClient, Refused, Unreachable } from "./api/client.js";
 import {
   collisionQuery,
-  createClient,
   cutQuery,
   errorMapQuery,
   mapQuery,
-  Refused,
   steppedQuery,
   traceQuery,
-  Unreachable,
-} from "./api/client.js";
+} from "./api/queries.js";
 import { mostSwitches } from "./figures/map-figure.js";
 import { SYMBOLS } from "./format/symbols.js";
 import { mountAccuracyScene } from "./panels/accuracy-scene.js";

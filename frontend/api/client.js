@@ -1,6 +1,15 @@
 // @ts-check
 
 import { decodeArrays } from "./arrays.js";
+import {
+  answerQuery,
+  collisionQuery,
+  cutQuery,
+  errorMapQuery,
+  mapQuery,
+  steppedQuery,
+  traceQuery,
+} from "./queries.js";
 
 /**
  * What this page reads of an answer of `/collision`.
@@ -96,9 +105,6 @@ export class Unreachable extends Error {}
 /** The server answered that it will not answer this: its reason is the message. */
 export class Refused extends Error {}
 
-const TRACE_COLUMNS =
-  "time,compression,normal_force,tangential_force_over_mu,tangential_velocity,spring_elongation,tangential_energy";
-const CUT_COLUMNS = "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote";
 const LONGEST_WAIT = 15_000;
 
 /** The only place that knows the server. */
@@ -316,106 +322,6 @@ function posted(body) {
     headers: { "Content-Type": "application/json" },
     body: JSON.stringify(body),
   };
-}
-
-/** What `/collision` is asked. @param {import("../state/parameters.js").Collision} collision */
-export function collisionQuery({ kappa, mu_over_alpha, gt_over_gn, damping }) {
-  return { ...inWords({ kappa, mu_over_alpha, gt_over_gn }), ...dampingQuery(damping) };
-}
-
-/** Only where there is any. @param {number} damping @returns {Record<string, string>} */
-function dampingQuery(damping) {
-  return damping > 0 ? { damping: String(damping) } : {};
-}
-
-/**
- * What `/collision` is asked where ε_t alone is wanted.
- * @param {import("../state/parameters.js").Collision} collision
- * @param {Record<string, string>} accuracy
- */
-export function answerQuery(collision, accuracy) {
-  return { ...collisionQuery(collision), quantities: "epsilon_t", ...accuracy };
-}
-
-/** What `/trace` is asked. @param {import("../state/parameters.js").Collision} collision */
-export function traceQuery(collision) {
-  return {
-    ...collisionQuery(collision),
-    samples: String(samplesFor(collision.kappa)),
-    quantities: TRACE_COLUMNS,
-  };
-}
-
-/**
- * What `/map` is asked.
- * @param {number} muOverAlpha
- * @param {import("../state/map-view.js").MapView} view
- * @param {{kappa: number, gtOverGn: number}} counts
- */
-export function mapQuery(muOverAlpha, view, counts) {
-  return {
-    mu_over_alpha: String(muOverAlpha),
-    kappa_min: String(view.kappa.min),
-    kappa_max: String(view.kappa.max),
-    kappa_count: String(counts.kappa),
-    kappa_scale: view.scale,
-    gt_over_gn_min: String(view.gtOverGn.min),
-    gt_over_gn_max: String(view.gtOverGn.max),
-    gt_over_gn_count: String(counts.gtOverGn),
-    gt_over_gn_scale: view.scale,
-    ...dampingQuery(view.damping),
-  };
-}
-
-/**
- * What `/map` is asked for its error.
- * @param {{muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: {kappa: number, gtOverGn: number}, accuracy: Record<string, string>}} wish
- */
-export function errorMapQuery({ muOverAlpha, view, counts, accuracy }) {
-  return { ...mapQuery(muOverAlpha, view, counts), quantities: "error", ...accuracy };
-}
-
-/**
- * What `/trace` is asked for the steps of a method: of the exact columns, none that costs.
- * @param {import("../state/parameters.js").Collision} collision
- * @param {Record<string, string>} accuracy
- */
-export function steppedQuery(collision, accuracy) {
-  return {
-    ...collisionQuery(collision),
-    samples: "2",
-    quantities: "time",
-    episode_limit: "0",
-    ...accuracy,
-  };
-}
-
-/** What `/cut` is asked. @param {CutWish} wish */
-export function cutQuery({ kappa, muOverAlpha, view, count }) {
-  return {
-    along: "gt_over_gn",
-    kappa: String(kappa),
-    mu_over_alpha: String(muOverAlpha),
-    minimum: String(view.gtOverGn.min),
-    maximum: String(view.gtOverGn.max),
-    count: String(count),
-    scale: view.scale,
-    quantities: CUT_COLUMNS,
-    ...dampingQuery(view.damping),
-  };
-}
-
-/**
- * Samples enough to draw the free swings of the spring, of which there are about √κ/2 in a contact.
- * @param {number} kappa
- */
-function samplesFor(kappa) {
-  return Math.min(2000, Math.max(300, Math.ceil(10 * Math.sqrt(kappa))));
-}
-
-/** @param {Record<string, number>} numbers */
-function inWords(numbers) {
-  return Object.fromEntries(Object.entries(numbers).map(([key, value]) => [key, String(value)]));
 }
 
 /** @param {string | null} serverTiming */

@@ -102,7 +102,10 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   });
   const calculations = createLatest({
     async load(/** @type {PageState} */ { collision, region, wanted_error: error }, signal) {
-      const numbers = Object.entries(collision).map(([key, value]) => [key, String(value)]);
+      const { kappa, mu_over_alpha, gt_over_gn } = collision;
+      // The calculator knows no damping.
+      const undamped = Object.entries({ kappa, mu_over_alpha, gt_over_gn });
+      const numbers = undamped.map(([key, value]) => [key, String(value)]);
       const [here, there] = await Promise.all([
         load.steps({ ...Object.fromEntries(numbers), error }, signal),
         load.steps({ region, error }, signal),

@@ -194,7 +194,10 @@ export function mountPictures({ present, shown, queries, bodies, loadFile }) {
       title: "Steps for an error",
       request() {
         const { collision, wanted_error: error } = present();
-        return { call: "steps", query: { ...queries.collision(collision), error } };
+        return {
+          call: "steps",
+          query: { ...queries.collision({ ...collision, damping: 0 }), error },
+        };
       },
       parameters,
     },

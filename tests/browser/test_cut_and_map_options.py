@@ -32,8 +32,9 @@ def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(page: Page, server: s
     settle(page, server)
     before = collision_of(page)
     expect(page.get_by_test_id("cut-mark")).to_have_attribute("data-placed", "")
-    box = page.get_by_test_id("cut-mark").bounding_box()
-    page.mouse.click(box["x"] + 0.5 * box["width"], box["y"] + 0.3 * box["height"])
+    mark = page.get_by_test_id("cut-mark")
+    box = mark.bounding_box()
+    mark.click(position={"x": 0.5 * box["width"], "y": 0.3 * box["height"]})
     settle(page, server)
     # the middle of an axis from 0.01 to 4, to a pixel
     after = collision_of(page)

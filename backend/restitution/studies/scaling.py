@@ -68,7 +68,7 @@ class Scales:
     tangential_stiffness_n_per_m, mindlin_stiffness_n_per_m : float
         k_t as used, and 8 G* a at the largest undamped compression.
     contact_duration_s, maximum_compression_m, maximum_normal_force_n : float
-        Eqs. 19 and 20 with their factors, of the undamped contact.
+        Eqs. 19 and 20 with their factors, of the damped contact where there is damping.
     """
 
     pair: Pair
