@@ -82,7 +82,7 @@ def summary(times: list[float]) -> str:
     return f"median {statistics.median(times):5.1f} ms, p95 {p95:5.1f} ms of {len(times)}"
 
 
-@pytest.mark.parametrize("name", ["kappa", "mu-over-alpha", "gt-over-gn"])
+@pytest.mark.parametrize("name", ["kappa", "mu-over-alpha", "gt-over-gn", "damping"])
 def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str, capsys):
     page.goto("/")
     settle(page, server)
