@@ -18,7 +18,7 @@ from restitution.api.routes.scaling import scaling_payload
 from restitution.api.routes.table import table_result
 from restitution.api.schemas import TABLE_FORMATS
 from restitution.api.warm import warm as warm_kernels
-from restitution.api.warm import warm_table
+from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
 from restitution.studies.axis import Axis
 from restitution.studies.report import tradeoff_report
@@ -47,7 +47,7 @@ def warm() -> None:
     """Compile the kernels, compress plotly.js and build the table into the cache."""
     warm_kernels()
     compress_plotly()
-    warm_table()
+    warm_rest()
 
 
 @main.command()

@@ -16,7 +16,7 @@ from restitution.api.page import add_page, compress_plotly
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
-from restitution.api.warm import warm, warm_table
+from restitution.api.warm import warm, warm_rest
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -63,7 +63,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.ready.set()
         click.echo(f"ready: the kernels took {time.perf_counter() - begin:.1f} s")
         compress_plotly()
-        warm_table()
+        warm_rest()
 
     click.echo("preparing the kernels: compiled the first time (half a minute), then from a cache")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()
