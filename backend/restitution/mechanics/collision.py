@@ -8,6 +8,7 @@ use the opposite sign.
 import functools
 import math
 import os
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from typing import NamedTuple
 
@@ -281,6 +282,40 @@ def _collide_each(
             switches[i], certain[i] = 0, True
 
 
+def collide_in_parts(
+    kappa: npt.ArrayLike, psi: npt.ArrayLike, each: Callable[..., None]
+) -> Collision:
+    """Return what `each` makes of collisions, shared among threads where they are many.
+
+    It takes κ and ψ (N,) and fills ε_t, switches, certainty and bound (N,).
+    """
+    kappas, psis = np.broadcast_arrays(
+        np.asarray(kappa, dtype=np.float64), np.asarray(psi, dtype=np.float64)
+    )
+    require("kappa", kappas, (kappas > 0) & np.isfinite(kappas), "positive and finite")
+    require("psi", psis, psis >= 0, "0 or more")
+    # copies, for a kernel does not take what is broadcast
+    flat = np.array(kappas, order="C").ravel(), np.array(psis, order="C").ravel()
+    epsilon_t, bound = np.empty(kappas.size), np.empty(kappas.size)
+    switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
+    columns = *flat, epsilon_t, switches, certain, bound
+
+    def fill(begin: int) -> None:
+        each(*(column[begin : begin + PART] for column in columns))
+
+    if kappas.size <= PART:
+        fill(0)
+    else:
+        list(workers().map(fill, range(0, kappas.size, PART)))
+    shape = kappas.shape
+    return Collision(
+        epsilon_t.reshape(shape),
+        switches.reshape(shape),
+        certain.reshape(shape),
+        bound.reshape(shape),
+    )
+
+
 def collide(
     kappa: npt.ArrayLike, psi: npt.ArrayLike, most_switches: float = MOST_SWITCHES
 ) -> Collision:
@@ -308,35 +343,6 @@ def collide(
     >>> switches
     array([4, 4, 0], dtype=int32)
     """
-    kappas, psis = np.broadcast_arrays(
-        np.asarray(kappa, dtype=np.float64), np.asarray(psi, dtype=np.float64)
-    )
-    require("kappa", kappas, (kappas > 0) & np.isfinite(kappas), "positive and finite")
-    require("psi", psis, psis >= 0, "0 or more")
-    flat = np.ascontiguousarray(kappas).ravel(), np.ascontiguousarray(psis).ravel()
-    epsilon_t, bound = np.empty(kappas.size), np.empty(kappas.size)
-    switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
-
-    def fill(begin: int) -> None:
-        part = slice(begin, begin + PART)
-        _collide_each(
-            flat[0][part],
-            flat[1][part],
-            most_switches,
-            epsilon_t[part],
-            switches[part],
-            certain[part],
-            bound[part],
-        )
-
-    if kappas.size <= PART:
-        fill(0)
-    else:
-        list(workers().map(fill, range(0, kappas.size, PART)))
-    shape = kappas.shape
-    return Collision(
-        epsilon_t.reshape(shape),
-        switches.reshape(shape),
-        certain.reshape(shape),
-        bound.reshape(shape),
+    return collide_in_parts(
+        kappa, psi, lambda kappas, psis, *out: _collide_each(kappas, psis, most_switches, *out)
     )

@@ -9,17 +9,15 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from restitution.errors import require
 from restitution.mechanics.collision import (
     EPISODE,
     MOST_SWITCHES,
     NO_LESS,
-    PART,
     TOO_STIFF,
     WEAKEST,
     Collision,
+    collide_in_parts,
     record,
-    workers,
 )
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.damped_sliding import outrun, sliding_end
@@ -234,36 +232,8 @@ def collide_damped(
     array([5, 9, 1], dtype=int32)
     """
     contact = normal_contact(damping)
-    kappas, psis = np.broadcast_arrays(
-        np.asarray(kappa, dtype=np.float64), np.asarray(psi, dtype=np.float64)
-    )
-    require("kappa", kappas, (kappas > 0) & np.isfinite(kappas), "positive and finite")
-    require("psi", psis, psis >= 0, "0 or more")
-    flat = np.array(kappas, order="C").ravel(), np.array(psis, order="C").ravel()
-    epsilon_t, bound = np.empty(kappas.size), np.empty(kappas.size)
-    switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
-
-    def fill(begin: int) -> None:
-        part = slice(begin, begin + PART)
-        _collide_each(
-            contact,
-            flat[0][part],
-            flat[1][part],
-            most_switches,
-            epsilon_t[part],
-            switches[part],
-            certain[part],
-            bound[part],
-        )
-
-    if kappas.size <= PART:
-        fill(0)
-    else:
-        list(workers().map(fill, range(0, kappas.size, PART)))
-    shape = kappas.shape
-    return Collision(
-        epsilon_t.reshape(shape),
-        switches.reshape(shape),
-        certain.reshape(shape),
-        bound.reshape(shape),
+    return collide_in_parts(
+        kappa,
+        psi,
+        lambda kappas, psis, *out: _collide_each(contact, kappas, psis, most_switches, *out),
     )
