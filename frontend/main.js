@@ -288,9 +288,9 @@ function followRest(state, dragging) {
   if (state.scene === "explorer") {
     maps.follow(state, dragging);
     cuts.follow(state, dragging);
-  } else if (state.scene === "accuracy") {
-    accuracyScene.follow(state, dragging);
   }
+  // In the other scenes it learns that it is not shown.
+  accuracyScene.follow(state, dragging);
 }
 
 /** Whether the server computes again: one that is merely there may still be too busy. */

@@ -66,6 +66,8 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   let tradeoff = null;
   /** @type {{errors: Float64Array[], wish: ErrorMapWish} | null} */
   let errors = null;
+  /** @type {{answer: Stepped, collision: import("../state/parameters.js").Collision} | null} */
+  let stepped = null;
   const asked = { region: "", steps: "", overlay: "" };
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
@@ -93,10 +95,9 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   const overlays = createLatest({
     load: (/** @type {PageState} */ { collision, accuracy }, signal) =>
       load.stepped(collision, accuracyQuery(inSteps(accuracy)), signal),
-    onAnswer(stepped, { collision }) {
-      if (trace && sameCollision(trace.parameters, collision)) {
-        overlay.show(trace, stepped);
-      }
+    onAnswer(answer, { collision }) {
+      stepped = { answer, collision };
+      drawOverlay();
     },
     onError,
   });
@@ -126,6 +127,13 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   function drawErrorMap() {
     if (errors && present) {
       errorMap.show(errors.errors, errors.wish.view, present.map_x);
+    }
+  }
+
+  /** Once the exact force and the steps of one collision are here, whichever comes last. */
+  function drawOverlay() {
+    if (trace && stepped && sameCollision(trace.parameters, stepped.collision)) {
+      overlay.show(trace, stepped.answer);
     }
   }
 
@@ -191,9 +199,9 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
     /** The exact collision, to lie under the steps. @param {Trace | null} next */
     settle(next) {
       trace = next;
-      asked.overlay = "";
       if (present?.scene === "accuracy") {
         followOverlay(present);
+        drawOverlay();
       }
     },
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from explorer import ask, collision_of, eventually, settle, text, trace_of
+from explorer import Witness, ask, collision_of, eventually, settle, text, trace_of
 from playwright.sync_api import Page, expect
 from screenshots import running_server
 
@@ -146,3 +146,22 @@ def test_measuring_anew_is_not_offered_where_it_is_off(page: Page):
     page.goto("/?scene=accuracy")
     expect(page.get_by_test_id("tradeoff-source")).to_contain_text("Measured")
     expect(page.get_by_test_id("remeasure")).to_be_hidden()
+
+
+def test_steps_are_asked_for_once_and_only_where_they_are_shown(page: Page, server: str):
+    witness = Witness(page, server)
+
+    def asked() -> int:
+        stepped = [q for call, q in witness.calls if call == "trace" and "steps" in q]
+        return len(stepped)
+
+    page.goto(STEPS)
+    settle(page, server)
+    eventually(lambda: expect(page.get_by_test_id("overlay-name")).to_contain_text("off by"), page)
+    page.wait_for_timeout(500)
+    assert asked() == 1
+    page.get_by_role("link", name="Explorer").click()
+    for kappa in ("30", "40", "50"):
+        page.get_by_test_id("kappa-field").fill(kappa)
+        settle(page, server)
+    assert asked() == 1
