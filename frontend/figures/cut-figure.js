@@ -3,7 +3,7 @@
 import { brief } from "../format/number.js";
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { switchClasses } from "./color-scales.js";
-import { baseLayout, CUT_MARGIN, innerSize, plainAxis } from "./plot-area.js";
+import { axisTitle, baseLayout, CUT_MARGIN, innerSize, plainAxis } from "./plot-area.js";
 import { shareAxis } from "./share-axis.js";
 
 /**
@@ -66,19 +66,11 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
       ...baseLayout(theme, size, CUT_MARGIN),
       xaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),
-        title: {
-          text: PLOT_SYMBOLS[view.vertical],
-          standoff: 4 * theme.unit,
-          font: { size: 14 * theme.unit, color: theme.ink },
-        },
+        title: axisTitle(PLOT_SYMBOLS[view.vertical], 4, theme),
       },
       yaxis: {
         ...plainAxis(theme, range, TICKS, TICKS.map(brief)),
-        title: {
-          text: PLOT_SYMBOLS.epsilon_t,
-          standoff: 2 * theme.unit,
-          font: { size: 14 * theme.unit, color: theme.ink },
-        },
+        title: axisTitle(PLOT_SYMBOLS.epsilon_t, 2, theme),
         zeroline: true,
         zerolinecolor: theme.grid,
         zerolinewidth: 1,

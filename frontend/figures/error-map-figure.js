@@ -2,7 +2,7 @@
 
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { errorStops } from "./color-scales.js";
-import { baseLayout, MAP_MARGIN } from "./plot-area.js";
+import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
 import { shareAxis } from "./share-axis.js";
 
 /** Between these powers of ten an error has a colour of its own. */
@@ -17,11 +17,6 @@ export const ERROR_DECADES = { low: -8, high: 0 };
  */
 export function errorMapFigure({ errors, view, horizontal }, theme, size) {
   const { low, high } = ERROR_DECADES;
-  const axisTitle = (/** @type {string} */ text, /** @type {number} */ standoff) => ({
-    text,
-    standoff: standoff * theme.unit,
-    font: { size: 14 * theme.unit, color: theme.ink },
-  });
   return {
     data: [
       {
@@ -43,11 +38,11 @@ export function errorMapFigure({ errors, view, horizontal }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, horizontal.scale, view.scale),
-        title: axisTitle(PLOT_SYMBOLS[horizontal.symbol], 6),
+        title: axisTitle(PLOT_SYMBOLS[horizontal.symbol], 6, theme),
       },
       yaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),
-        title: axisTitle(PLOT_SYMBOLS[view.vertical], 2),
+        title: axisTitle(PLOT_SYMBOLS[view.vertical], 2, theme),
       },
     },
   };

@@ -2,7 +2,7 @@
 
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { restitutionStops, switchClasses, switchStops } from "./color-scales.js";
-import { baseLayout, MAP_MARGIN } from "./plot-area.js";
+import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
 import { shareAxis } from "./share-axis.js";
 
 /**
@@ -43,19 +43,11 @@ export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, horizontal.scale, view.scale),
-        title: {
-          text: PLOT_SYMBOLS[horizontal.symbol],
-          standoff: 6 * theme.unit,
-          font: { size: 14 * theme.unit, color: theme.ink },
-        },
+        title: axisTitle(PLOT_SYMBOLS[horizontal.symbol], 6, theme),
       },
       yaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),
-        title: {
-          text: PLOT_SYMBOLS[view.vertical],
-          standoff: 2 * theme.unit,
-          font: { size: 14 * theme.unit, color: theme.ink },
-        },
+        title: axisTitle(PLOT_SYMBOLS[view.vertical], 2, theme),
       },
     },
   };

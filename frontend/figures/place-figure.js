@@ -24,7 +24,5 @@ export function placeFigure({ place, ...map }, theme, size) {
     },
     cliponaxis: false,
   };
-  // The points of a scatter would else widen the axes.
-  const held = { ...layout, xaxis: { ...layout.xaxis }, yaxis: { ...layout.yaxis } };
-  return { data: [...data, ring], layout: held };
+  return { data: [...data, ring], layout };
 }

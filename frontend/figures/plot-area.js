@@ -99,3 +99,14 @@ export function timeAxis(theme, contactDuration) {
     },
   };
 }
+
+/**
+ * What an axis is, beside it.
+ * @param {string} text
+ * @param {number} standoff in pixels of the design, as the size of the type
+ * @param {Theme} theme
+ * @param {number} [type]
+ */
+export function axisTitle(text, standoff, { unit, ink }, type = 14) {
+  return { text, standoff: standoff * unit, font: { size: type * unit, color: ink } };
+}

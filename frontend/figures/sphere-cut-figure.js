@@ -1,9 +1,8 @@
 // @ts-check
 
 import { brief } from "../format/number.js";
-import { baseLayout, CUT_MARGIN, plainAxis } from "./plot-area.js";
+import { axisTitle, baseLayout, CUT_MARGIN, plainAxis } from "./plot-area.js";
 import { shareAxis } from "./share-axis.js";
-import { axisTitle } from "./velocity-map-figure.js";
 
 const TICKS = [-1, -0.5, 0, 0.5, 1];
 
@@ -62,11 +61,11 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
       ...baseLayout(theme, size, CUT_MARGIN),
       xaxis: {
         ...shareAxis(theme, tangential, "linear"),
-        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 4, theme),
+        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 4, theme, 13),
       },
       yaxis: {
         ...plainAxis(theme, [-1.04, 1.04], TICKS, TICKS.map(brief)),
-        title: axisTitle("<i>ε</i><sub>t</sub>", 2, theme),
+        title: axisTitle("<i>ε</i><sub>t</sub>", 2, theme, 13),
         zeroline: true,
         zerolinecolor: theme.grid,
         zerolinewidth: 1,

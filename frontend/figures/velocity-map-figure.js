@@ -1,7 +1,7 @@
 // @ts-check
 
 import { restitutionStops } from "./color-scales.js";
-import { baseLayout, MAP_MARGIN } from "./plot-area.js";
+import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
 import { shareAxis } from "./share-axis.js";
 
 /**
@@ -33,21 +33,12 @@ export function velocityMapFigure({ cells, view }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, view.normal, "linear"),
-        title: axisTitle("<i>g</i><sub>n</sub> in m/s", 4, theme),
+        title: axisTitle("<i>g</i><sub>n</sub> in m/s", 4, theme, 13),
       },
       yaxis: {
         ...shareAxis(theme, view.tangential, "linear"),
-        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 2, theme),
+        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 2, theme, 13),
       },
     },
   };
-}
-
-/**
- * @param {string} text
- * @param {number} standoff
- * @param {import("./theme.js").Theme} theme
- */
-export function axisTitle(text, standoff, { unit, ink }) {
-  return { text, standoff: standoff * unit, font: { size: 13 * unit, color: ink } };
 }

@@ -1,8 +1,9 @@
 // @ts-check
 
 import { brief, powerOfTen } from "../format/number.js";
-import { knobOf, METHODS, nearestNotch, sameAccuracy, USUAL_ACCURACY } from "../state/accuracy.js";
+import { knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
 import { byTestId, find } from "./find.js";
+import { write } from "./write.js";
 
 /** @typedef {import("../state/accuracy.js").Accuracy} Accuracy */
 
@@ -47,9 +48,7 @@ export function mountAccuracyControl(element, onChange) {
   return {
     /** The method that does not answer the present collision, if so. @param {string} method */
     tell(method) {
-      if (refusal.textContent !== (REFUSALS[method] ?? "")) {
-        refusal.textContent = REFUSALS[method] ?? "";
-      }
+      write(refusal, REFUSALS[method] ?? "");
     },
 
     /** @param {Accuracy} accuracy */
@@ -61,7 +60,6 @@ export function mountAccuracyControl(element, onChange) {
       choice.value = accuracy.method;
       const knob = knobOf(accuracy.method);
       scale.toggleAttribute("hidden", !knob);
-      element.toggleAttribute("data-chosen", !sameAccuracy(accuracy, USUAL_ACCURACY));
       value.textContent = "";
       if (knob) {
         const now = accuracy[knob.key];

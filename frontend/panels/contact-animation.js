@@ -6,6 +6,7 @@ import { brief, significant } from "../format/number.js";
 import { createPlayback } from "../state/playback.js";
 import { byTestId, find } from "./find.js";
 import { currentTheme } from "./theme.js";
+import { write } from "./write.js";
 
 const WORDS = { forward: "slides →", backward: "← slides back", sticking: "sticks" };
 /** Where it rests on a page that nobody has touched: the spring is wound up there. */
@@ -210,16 +211,6 @@ export function mountContactAnimation(element, { onShare }) {
 function place(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
     element.setAttribute(name, value.toFixed(2));
-  }
-}
-
-/**
- * @param {Element} element
- * @param {string} text
- */
-function write(element, text) {
-  if (element.textContent !== text) {
-    element.textContent = text;
   }
 }
 

@@ -31,7 +31,7 @@ export function createImpactResult(element) {
  * @param {import("../api/client.js").Scaling} scaling
  * @returns {[string, string][]}
  */
-export function rowsOf(scaling) {
+function rowsOf(scaling) {
   return [
     ["contact lasts", inUnits(scaling.contact_duration_s, "s")],
     ["largest compression", inUnits(scaling.maximum_compression_m, "m")],
@@ -63,7 +63,7 @@ const PREFIXES = [
  * @param {number} value
  * @param {string} unit
  */
-export function inUnits(value, unit) {
+function inUnits(value, unit) {
   const found = PREFIXES.find(([factor]) => Math.abs(value) >= factor);
   const isFar = Math.abs(value) >= 1e9;
   const [factor, prefix] = found && !isFar ? found : [1, ""];

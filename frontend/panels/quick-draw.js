@@ -1,6 +1,7 @@
 // @ts-check
 
 import { barPlaces, differInMarksOnly, linePath, pixelScale } from "../figures/pixels.js";
+import { write } from "./write.js";
 
 /**
  * Moves the marks of a plot to where a new figure has them, if its axes stay. `Plotly.react` works out
@@ -126,15 +127,5 @@ function moveScatter(trace, { lines, points, texts }, scale) {
     text.setAttribute("x", String(scale.x(trace.x[i])));
     text.setAttribute("y", String(scale.y(trace.y[i])));
     write(text, trace.text[i]);
-  }
-}
-
-/**
- * @param {Element} element
- * @param {string} text
- */
-function write(element, text) {
-  if (element.textContent !== text) {
-    element.textContent = text;
   }
 }

@@ -3,6 +3,7 @@
 import { approximate, duration, errorBound, percentage, significant } from "../format/number.js";
 import { byTestId, find } from "./find.js";
 import { typeset } from "./typeset.js";
+import { write } from "./write.js";
 
 /**
  * The strip with ε_t and what else is to be said of the collision.
@@ -76,16 +77,6 @@ export function mountResultStrip(element) {
       );
     },
   };
-}
-
-/**
- * @param {HTMLElement} element
- * @param {string} text
- */
-function write(element, text) {
-  if (element.textContent !== text) {
-    element.textContent = text;
-  }
 }
 
 /** @param {number | null} value */

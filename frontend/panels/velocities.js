@@ -2,6 +2,7 @@
 
 import { velocityMapFigure } from "../figures/velocity-map-figure.js";
 import { typable } from "../format/number.js";
+import { clamp } from "../state/scales.js";
 import { mountCrosshair } from "./crosshair.js";
 import { byTestId, find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
@@ -20,11 +21,11 @@ import { onThemeChange } from "./theme.js";
 const AXES = {
   place(view, { normal, tangential }) {
     const [x, y] = [view.normal.toShare(normal), view.tangential.toShare(tangential)];
-    return { x: within(x), y: within(y), outside: x > 1.01 || y > 1.01 || x < -0.01 };
+    return { x: clamp(x), y: clamp(y), outside: x > 1.01 || y > 1.01 || x < -0.01 };
   },
   at: (view, x, y) => ({
-    normal_velocity_m_s: Number(view.normal.fromShare(within(x)).toPrecision(4)),
-    tangential_velocity_m_s: Number(view.tangential.fromShare(within(y)).toPrecision(4)),
+    normal_velocity_m_s: Number(view.normal.fromShare(clamp(x)).toPrecision(4)),
+    tangential_velocity_m_s: Number(view.tangential.fromShare(clamp(y)).toPrecision(4)),
   }),
   horizontal: "normal_velocity_m_s",
   vertical: "tangential_velocity_m_s",
@@ -139,9 +140,4 @@ function inDepth(map, law, { normal, tangential }) {
     horizontal: { symbol: /** @type {const} */ ("normal_velocity"), scale: normal },
     quantity: /** @type {const} */ ("epsilon_t"),
   };
-}
-
-/** @param {number} share */
-function within(share) {
-  return Math.min(1, Math.max(0, share));
 }

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { logScale, powerScale } from "./scales.js";
+import { logScale, powerScale, stepAbove } from "./scales.js";
 
 /**
  * An impact of real spheres: the bodies of a material, and what is set of them by hand; null is what
@@ -136,13 +136,6 @@ export function contactBody(material, impact) {
  * @param {{normal_velocity_m_s: number | null, tangential_velocity_m_s: number | null}} values
  */
 export function velocityView({ normal_velocity_m_s: normal, tangential_velocity_m_s: tangential }) {
-  const most = roundedUp(1.1 * Math.max(normal ?? 1, tangential ?? 0, 1e-6));
+  const most = stepAbove(1.1 * Math.max(normal ?? 1, tangential ?? 0, 1e-6));
   return { normal: powerScale(most / 200, most, 1), tangential: powerScale(0, most, 1), most };
-}
-
-/** @param {number} value */
-function roundedUp(value) {
-  const decade = 10 ** Math.floor(Math.log10(value));
-  const step = [1, 2, 5, 10].find((factor) => factor * decade >= value) ?? 10;
-  return Number((step * decade).toPrecision(1));
 }

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { logScale, powerScale, relabelled } from "./scales.js";
+import { clamp, logScale, powerScale, relabelled, stepAbove } from "./scales.js";
 
 /**
  * What is to be asked of `/map` and how its axes lie. Over ψ, the map is that of μ/α = 1, whose
@@ -173,22 +173,10 @@ function reaching([min, max], value, reach, both) {
   return [low, high];
 }
 
-/** @param {number} value */
-function stepAbove(value) {
-  const decade = 10 ** Math.floor(Math.log10(value));
-  const step = [1, 2, 5, 10].find((factor) => factor * decade >= value) ?? 10;
-  return Number((step * decade).toPrecision(1));
-}
-
 /**
  * Whether a place is beyond the frame by more than the eye sees.
  * @param {number} share
  */
 function isBeyond(share) {
   return share < -0.01 || share > 1.01;
-}
-
-/** @param {number} share */
-function clamp(share) {
-  return Math.min(1, Math.max(0, share));
 }

@@ -57,3 +57,18 @@ export function powerScale(min, max, power) {
     fromShare: (share) => min + (max - min) * Math.max(0, share) ** (1 / power),
   };
 }
+
+/**
+ * The next of 1, 2, 5, 10 … that is not below a value, for the end of an axis.
+ * @param {number} value
+ */
+export function stepAbove(value) {
+  const decade = 10 ** Math.floor(Math.log10(value));
+  const step = [1, 2, 5, 10].find((factor) => factor * decade >= value) ?? 10;
+  return Number((step * decade).toPrecision(1));
+}
+
+/** A share within its axis. @param {number} share */
+export function clamp(share) {
+  return Math.min(1, Math.max(0, share));
+}
