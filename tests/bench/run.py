@@ -23,7 +23,7 @@ from pathlib import Path
 import numpy as np
 from solver import solve_with_events
 
-from restitution.mechanics import collision, damped, viscoelastic
+from restitution.mechanics import collision, damped, damped_normal_motion, viscoelastic
 from restitution.mechanics.compiled import MODEL_VERSION
 from restitution.methods import planner, table
 from restitution.methods.answer import Options
@@ -108,7 +108,7 @@ def damping_figures(eta: float = 0.1) -> dict[str, float]:
         run = [contact, kappa, psi, collision.MOST_SWITCHES, *outputs]
         seconds = median(lambda run=run: damped._collide_each(*run))
         figures[f"damped collision, {name}, µs CPU"] = 1e6 * seconds / kappa.size
-    prepare = median(lambda: viscoelastic._prepare(eta, viscoelastic.MOST_STEPS), 51)
+    prepare = median(lambda: damped_normal_motion.prepare(eta, damped_normal_motion.MOST_STEPS), 51)
     return figures | {"preparing a new η, ms CPU": 1e3 * prepare}
 
 

@@ -20,6 +20,7 @@ from restitution.mechanics.collision import (
     record,
 )
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.damped_normal_motion import Contact, damped_motion
 from restitution.mechanics.damped_sliding import outrun, sliding_end
 from restitution.mechanics.damped_sticking import (
     cap_fall_time,
@@ -28,11 +29,7 @@ from restitution.mechanics.damped_sticking import (
 )
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.switching import ROUNDING
-from restitution.mechanics.viscoelastic import (
-    Contact,
-    damped_motion,
-    normal_contact,
-)
+from restitution.mechanics.viscoelastic import normal_contact
 
 STRONGEST = 1e150
 """ψ above which ε_t is 1 to double precision: what the cap takes is at most 2."""

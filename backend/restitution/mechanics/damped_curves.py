@@ -11,9 +11,10 @@ import numpy.typing as npt
 from restitution.mechanics.collision import EPISODE
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.damped import follow_damped
+from restitution.mechanics.damped_normal_motion import Contact, damped_motion, rate_at
 from restitution.mechanics.damped_sliding import at_time, place
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.viscoelastic import Contact, damped_motion, normal_contact, rate_at
+from restitution.mechanics.viscoelastic import normal_contact
 
 
 @compiled

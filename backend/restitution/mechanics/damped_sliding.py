@@ -12,8 +12,7 @@ r = κP + P̈ (docs/model.md, "Events with damping"):
 import math
 
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.switching import MOST_STEPS, ROUNDING, newton_within
-from restitution.mechanics.viscoelastic import (
+from restitution.mechanics.damped_normal_motion import (
     Contact,
     cap_bend,
     cap_slope,
@@ -21,6 +20,7 @@ from restitution.mechanics.viscoelastic import (
     damped_motion,
     rate_at,
 )
+from restitution.mechanics.switching import MOST_STEPS, ROUNDING, newton_within
 
 NOWHERE = -1.0
 """Stands for a time that there is not."""

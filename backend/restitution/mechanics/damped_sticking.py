@@ -8,15 +8,15 @@ rate is r κz. So g has one minimum where r > 0, and the spring meets the cap if
 import math
 
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.damped_sliding import NOWHERE, at_time, place
-from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, ROUNDING, newton_within
-from restitution.mechanics.viscoelastic import (
+from restitution.mechanics.damped_normal_motion import (
     Contact,
     cap_bend,
     cap_slope,
     damped_motion,
     rate_at,
 )
+from restitution.mechanics.damped_sliding import NOWHERE, at_time, place
+from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, ROUNDING, newton_within
 
 
 @compiled
