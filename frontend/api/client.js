@@ -8,6 +8,7 @@ import {
   errorMapQuery,
   mapQuery,
   steppedQuery,
+  stepsQuery,
   traceQuery,
 } from "./queries.js";
 
@@ -231,12 +232,14 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
 
     /**
      * How many steps a wanted error takes.
-     * @param {Record<string, string>} query
+     * @param {import("../state/parameters.js").Collision | string} where a collision, or a region by its name
+     * @param {string} error
      * @param {AbortSignal} [signal]
      * @returns {Promise<StepsAnswer>}
      */
-    async steps(query, signal) {
-      return (await get(`${base}/steps?${new URLSearchParams(query)}`, signal)).body;
+    async steps(where, error, signal) {
+      const query = new URLSearchParams(stepsQuery(where, error));
+      return (await get(`${base}/steps?${query}`, signal)).body;
     },
 
     /**

@@ -76,6 +76,16 @@ export function steppedQuery(collision, accuracy) {
   };
 }
 
+/**
+ * What `/steps` is asked.
+ * @param {import("../state/parameters.js").Collision | string} where a collision, or a region by its name
+ * @param {string} error
+ * @returns {Record<string, string>}
+ */
+export function stepsQuery(where, error) {
+  return { ...(typeof where === "string" ? { region: where } : collisionQuery(where)), error };
+}
+
 /** What `/cut` is asked. @param {import("./client.js").CutWish} wish */
 export function cutQuery({ kappa, muOverAlpha, view, count }) {
   return {

@@ -1,11 +1,16 @@
 // @ts-check
 
-import { baseLayout, innerSize, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import {
+  baseLayout,
+  forceReach,
+  innerSize,
+  plainAxis,
+  timeAxis,
+  TRACE_MARGIN,
+} from "./plot-area.js";
 import { regimeRibbon, regimeShades } from "./regimes.js";
 import { spreadApart } from "./spread.js";
 
-/** Undamped, the normal force reaches 1.14; the axis stays where it is unless a force goes beyond. */
-const USUAL_REACH = 1.2;
 const RIBBON_PIXELS = 18;
 const NUMBER_PIXELS = 15;
 /** How far a number may stand from its switch, in widths of a number. */
@@ -20,7 +25,7 @@ const FARTHEST = 2.5;
  */
 export function forceFigure(trace, theme, size) {
   const { time, normal_force: normalForce, episodes, contact_duration: duration } = trace;
-  const reach = Math.max(USUAL_REACH, 1.05 * largest(normalForce));
+  const reach = forceReach(normalForce);
   const { unit } = theme;
   const inner = innerSize(size, TRACE_MARGIN, theme);
   // The ribbon takes its pixels above the forces, whatever the height of the plot.
@@ -111,9 +116,4 @@ function switchNumbers(times, duration, height, pixelsPerTime, theme) {
     },
     cliponaxis: false,
   };
-}
-
-/** @param {Float64Array} values */
-function largest(values) {
-  return values.reduce((most, value) => Math.max(most, value), 0);
 }

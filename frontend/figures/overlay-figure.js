@@ -1,8 +1,7 @@
 // @ts-check
 
-import { baseLayout, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
+import { baseLayout, forceReach, plainAxis, timeAxis, TRACE_MARGIN } from "./plot-area.js";
 
-const REACH = 1.25;
 /** More steps than this make a line of their marks. */
 const MOST_MARKS = 250;
 
@@ -28,6 +27,7 @@ export function overlayFigure({ trace, stepped }, theme, size) {
     y,
     line: { simplify: false, ...line },
   });
+  const reach = forceReach(trace.normal_force, forces);
   const cap = { width: 1.25 * unit, color: theme.normalForce, dash: "5px,4px" };
   return {
     data: [
@@ -55,7 +55,7 @@ export function overlayFigure({ trace, stepped }, theme, size) {
       ...baseLayout(theme, size, TRACE_MARGIN),
       xaxis: timeAxis(theme, trace.contact_duration),
       yaxis: {
-        ...plainAxis(theme, [-REACH, REACH], [-1, 0, 1], ["−1", "0", "1"]),
+        ...plainAxis(theme, [-reach, reach], [-1, 0, 1], ["−1", "0", "1"]),
         zeroline: true,
         zerolinecolor: theme.grid,
         zerolinewidth: 1,

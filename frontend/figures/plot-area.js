@@ -100,6 +100,20 @@ export function timeAxis(theme, contactDuration) {
   };
 }
 
+/** Undamped, the normal force reaches 1.14; the axis stays where it is unless a force goes beyond. */
+const USUAL_REACH = 1.2;
+
+/**
+ * How far an axis of force goes to either side.
+ * @param {...Float64Array} forces
+ */
+export function forceReach(...forces) {
+  const largest = forces.map((values) =>
+    values.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
+  );
+  return Math.max(USUAL_REACH, 1.05 * Math.max(...largest));
+}
+
 /**
  * What an axis is, beside it.
  * @param {string} text

@@ -32,7 +32,7 @@ const CALCULATOR_PAUSE = 250;
  * @param {(region: string, signal: AbortSignal) => Promise<Tradeoff>} handlers.load.tradeoff
  * @param {(wish: ErrorMapWish, signal: AbortSignal) => Promise<Float64Array[]>} handlers.load.errorMap
  * @param {(collision: import("../state/parameters.js").Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<Stepped>} handlers.load.stepped
- * @param {(query: Record<string, string>, signal: AbortSignal) => Promise<StepsAnswer>} handlers.load.steps
+ * @param {(where: import("../state/parameters.js").Collision | string, error: string, signal: AbortSignal) => Promise<StepsAnswer>} handlers.load.steps of a collision or a region
  * @param {(region: string) => Promise<Run>} handlers.load.startRun
  * @param {(id: string) => Promise<Run>} handlers.load.run
  * @param {(id: string) => Promise<Run>} handlers.load.cancelRun
@@ -103,13 +103,9 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
   });
   const calculations = createLatest({
     async load(/** @type {PageState} */ { collision, region, wanted_error: error }, signal) {
-      const { kappa, mu_over_alpha, gt_over_gn } = collision;
-      // The calculator knows no damping.
-      const undamped = Object.entries({ kappa, mu_over_alpha, gt_over_gn });
-      const numbers = undamped.map(([key, value]) => [key, String(value)]);
       const [here, there] = await Promise.all([
-        load.steps({ ...Object.fromEntries(numbers), error }, signal),
-        load.steps({ region, error }, signal),
+        load.steps(collision, error, signal),
+        load.steps(region, error, signal),
       ]);
       return { here, there };
     },

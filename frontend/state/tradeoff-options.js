@@ -5,6 +5,7 @@ export const REGIONS = [
   { id: "figure4", title: "Fig. 4" },
   { id: "stiff", title: "stiff" },
   { id: "solids", title: "solids" },
+  { id: "damped", title: "damped" },
   { id: "extremes", title: "extremes" },
 ];
 

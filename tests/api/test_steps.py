@@ -27,14 +27,47 @@ def test_answer_holds_together(service):
 
 
 def test_region_is_answered_promptly(service):
-    for region in ("figure4", "stiff", "solids", "extremes"):
+    for region in ("figure4", "stiff", "solids", "damped", "extremes"):
         response = service.promptly(lambda region=region: service.get("/steps", region=region))
         answer = service.read(response)
         assert answer["collisions"] == 128
-        assert answer["parameters"]["kappa"] is None
+        assert answer["parameters"]["kappa"] is answer["parameters"]["damping"] is None
     assert answer["needed"]["velocity_verlet"]["p95"] is None
     assert "65,536" in answer["needed"]["velocity_verlet"]["reason"]
     assert "1,000,000" in answer["rule"]["reason"]
+
+
+def test_damping_is_that_of_the_time_steps_themselves(service):
+    answer = service.answer("/steps", **COLLISION, damping=0.3)
+    assert answer["parameters"]["damping"] == 0.3
+    rows = zip(answer["integrator"], answer["steps"], answer["error_max"], strict=True)
+    worst = {(name, steps): error for name, steps, error in rows}
+    for integrator in INTEGRATORS:
+        # one of the 32 phases that were tried
+        error = service.answer(
+            "/collision", **COLLISION, damping=0.3, method="timestep", steps=64,
+            integrator=integrator, phase=0.25,
+        )["error_bound"]  # fmt: skip
+        assert 0.0 < error <= worst[integrator, 64]
+    assert service.answer("/steps", **COLLISION, damping=0)["needed"] != answer["needed"]
+    assert service.answer("/steps", **COLLISION)["parameters"]["damping"] == 0.0
+
+
+def test_damping_of_a_region_is_its_own(service):
+    for region in ("solids", "damped"):
+        wrong = service.wrong("/steps", region=region, damping=0.1)
+        assert wrong["damping"]["requirement"] == "left out, as `region` is given"
+    wrong = service.wrong("/steps", **COLLISION, damping=-1)
+    assert wrong["damping"]["requirement"] == "from 0 to 1e+30"
+
+
+@pytest.mark.parametrize("damping", [5e-324, 1e-12, 1.0, 1e30])
+@pytest.mark.parametrize("kappa", [5e-324, 18, 1.7976931348623157e308])
+def test_extremes_of_damping_are_answered_promptly(service, damping, kappa):
+    collision = COLLISION | {"kappa": kappa, "damping": damping}
+    response = service.promptly(lambda: service.get("/steps", **collision))
+    for needed in service.read(response)["needed"].values():
+        assert (needed["worst"] is None) is (needed["reason"] is not None)
 
 
 def test_table_of_the_ladder_has_every_form(service):

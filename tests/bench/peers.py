@@ -134,7 +134,7 @@ def row(truth: Reference, steps: int) -> Row:
     """Return what LAMMPS makes of collisions with that many steps per contact."""
     seconds = []
 
-    def run(kappa: np.ndarray, psi: np.ndarray) -> tuple[np.ndarray, None]:
+    def run(kappa: np.ndarray, psi: np.ndarray, _damping: float) -> tuple[np.ndarray, None]:
         epsilon_t, each = collide(kappa, psi, steps)
         seconds.append(each)
         return epsilon_t, None

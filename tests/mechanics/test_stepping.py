@@ -48,11 +48,12 @@ def test_verlet_is_of_second_order_and_forward_euler_of_first():
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.37])
-def test_symplectic_euler_is_verlet_seen_at_other_instants(phase):
+@pytest.mark.parametrize("damping", [0.0, 0.1, 2.0])
+def test_symplectic_euler_is_verlet_seen_at_other_instants(phase, damping):
     # no force acts before the contact nor after it, so half a kick more at either end is none
     kappa, psi = grid()
     verlet, euler = (
-        step_collisions(kappa, psi, 50, integrator, phase)
+        step_collisions(kappa, psi, 50, integrator, phase, damping=damping)
         for integrator in ("velocity_verlet", "symplectic_euler")
     )
     np.testing.assert_allclose(verlet.epsilon_t, euler.epsilon_t, rtol=0, atol=1e-12)

@@ -3,9 +3,10 @@
 import numpy as np
 import pytest
 
-from restitution.mechanics.collision import collide
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.stepping import step_collisions
+from restitution.mechanics.viscoelastic import contact_duration
+from restitution.methods.exact import follow
 from restitution.studies.candidates import STEPS
 from restitution.studies.parameters import CollisionParameters
 from restitution.studies.scenes import SCENES
@@ -13,25 +14,29 @@ from restitution.studies.steps import LADDER, TWINS, study_steps
 from restitution.studies.tradeoff import load_tradeoff
 
 ONE = CollisionParameters(18.0, 1.4, 0.5)
+DAMPED = CollisionParameters(18.0, 1.4, 0.5, 0.3)
 
 
 def errors(collision, steps, integrator, phases):
     kappa, psi = np.array([collision.kappa]), np.array([collision.psi])
-    exact = collide(kappa, psi).epsilon_t
-    return np.array(
-        [abs(step_collisions(kappa, psi, steps, integrator, p).epsilon_t - exact) for p in phases]
-    )
+    exact = follow(kappa, psi, collision.damping, 1000.0).epsilon_t
+    stepped = [
+        step_collisions(kappa, psi, steps, integrator, phase, damping=collision.damping)
+        for phase in phases
+    ]
+    return np.array([abs(one.epsilon_t - exact) for one in stepped])
 
 
+@pytest.mark.parametrize("collision", [ONE, DAMPED])
 @pytest.mark.parametrize("integrator", ["velocity_verlet", "forward_euler"])
 @pytest.mark.parametrize("error", [1e-2, 1e-3])
-def test_steps_needed_keep_the_error_and_fewer_do_not(integrator, error):
-    needed = study_steps(error, ONE).needed[integrator]
+def test_steps_needed_keep_the_error_and_fewer_do_not(collision, integrator, error):
+    needed = study_steps(error, collision).needed[integrator]
     phases = np.arange(32) / 32
     for steps in LADDER[LADDER.index(needed.worst) :]:
-        assert errors(ONE, steps, integrator, phases).max() <= error, steps
+        assert errors(collision, steps, integrator, phases).max() <= error, steps
     below = LADDER[LADDER.index(needed.worst) - 1]
-    assert errors(ONE, below, integrator, phases).max() > error
+    assert errors(collision, below, integrator, phases).max() > error
     assert needed.p95 <= needed.worst
     assert needed.reason is None
 
@@ -70,6 +75,21 @@ def test_stability_limit_is_half_the_phase_of_a_swing(kappa):
     assert min(largest[n] for n in unstable[-2:]) > 10 * max(largest[n] for n in stable)
 
 
+def test_stability_limit_is_that_of_the_damped_contact():
+    for damping in (1e-6, 0.3, 5.0):
+        study = study_steps(1e-3, CollisionParameters(18.0, 1.4, 0.5, damping))
+        phase = np.sqrt(18.0) * contact_duration(damping)
+        assert study.stability_limit == pytest.approx(phase / 2), damping
+
+
+def test_vanishing_damping_needs_the_steps_of_none():
+    # but for the share of 1e-9 by which the errors then differ
+    none, vanishing = (
+        study_steps(1e-3, CollisionParameters(18.0, 1.4, 0.5, damping)) for damping in (0.0, 1e-12)
+    )
+    assert vanishing.needed == none.needed
+
+
 def test_rule_of_fifty_keeps_95_percent_of_figure_4_within_a_thousandth():
     study = study_steps(1e-3, "figure4")
     spread = study.rule["velocity_verlet"]
@@ -90,7 +110,7 @@ def test_rule_is_not_tried_beyond_the_steps_of_a_request():
     assert study.rule["velocity_verlet"].error_max is None
 
 
-@pytest.mark.parametrize("region", ["figure4", "stiff", "solids"])
+@pytest.mark.parametrize("region", ["figure4", "stiff", "solids", "damped"])
 @pytest.mark.parametrize("error", [1e-2, 1e-3, 1e-4])
 def test_steps_needed_agree_with_the_measured_table(region, error):
     rows = {

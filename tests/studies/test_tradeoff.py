@@ -5,11 +5,12 @@ import json
 import numpy as np
 import pytest
 
-from restitution.errors import CostError
+from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods import planner
+from restitution.methods.exact import follow
 from restitution.studies import candidates as every
-from restitution.studies.candidates import Candidate, candidates
+from restitution.studies.candidates import UNDAMPED, Candidate, candidates
 from restitution.studies.reference import KNOWN, reference
 from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
@@ -37,6 +38,7 @@ BOUNDS = {
     "figure4": ((0.1, 70), (0.01 / 1.4, 4 / 1.4)),
     "stiff": ((1e3, 1e6), (0.01 / 1.4, 4 / 1.4)),
     "solids": ((3.5, 5.5), (0.01 / 1.4, 4 / 1.4)),
+    "damped": ((0.1, 70), (0.01 / 1.4, 4 / 1.4)),
     "extremes": ((1e-300, 1e300), (1e-300, 1e300)),
 }
 
@@ -47,7 +49,7 @@ def by(method, **options):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_sample_fills_its_scene_evenly(name):
-    kappa, psi = SCENES[name].sample(1000)
+    kappa, psi, _ = SCENES[name].sample(1000)
     scene = SCENES[name]
     for values, (low, high), stretch in zip(
         (kappa, psi), BOUNDS[name], (scene.kappa, scene.psi), strict=True
@@ -60,11 +62,26 @@ def test_sample_fills_its_scene_evenly(name):
         assert np.all(np.abs(counts - 100) <= 5), name
 
 
-def test_reference_is_known_and_exact():
-    truth = reference("figure4", 500)
-    exact = collide(truth.kappa, truth.psi)
+def test_dampings_share_the_sample_evenly():
+    kappa, psi, damping = SCENES["damped"].sample(7000)
+    different, counts = np.unique(damping, return_counts=True)
+    assert tuple(different) == SCENES["damped"].dampings
+    assert np.all(counts == 1000)
+    for eta in different:
+        # none of them has a corner of the region for itself
+        for values, (low, high) in zip((kappa, psi), BOUNDS["damped"], strict=True):
+            shares = (values[damping == eta] - low) / (high - low)
+            assert np.mean(shares) == pytest.approx(0.5, abs=0.01)
+
+
+@pytest.mark.parametrize("scene", ["figure4", "damped"])
+def test_reference_is_known_and_exact(scene):
+    truth = reference(scene, 500)
     assert truth.kappa.size == 500
-    np.testing.assert_array_equal(truth.epsilon_t, exact.epsilon_t)
+    for eta, part in truth.by_damping():
+        exact = follow(part.kappa, part.psi, eta, 1000.0)
+        np.testing.assert_array_equal(part.epsilon_t, exact.epsilon_t)
+        np.testing.assert_array_equal(part.switches, exact.switches)
     assert np.all(reference("extremes", 500).error_bound <= KNOWN)
 
 
@@ -76,10 +93,39 @@ def test_every_method_takes_part_with_every_knob():
     assert {c.options.get("spring") for c in found if c.method == "ode"} == {None, "held", "free"}
 
 
+def test_those_made_without_damping_stay_away_from_it():
+    assert {c.method for c in candidates()} - {
+        c.method for c in candidates(damped=True)
+    } == UNDAMPED
+    one = np.array([18.0]), np.array([0.5])
+    for candidate in candidates():
+        if candidate.method in UNDAMPED:
+            with pytest.raises(ParameterError):
+                candidate.run(*one, 0.1)
+        else:
+            assert np.all(np.isfinite(candidate.run(*one, 0.1)[0]))
+
+
+@pytest.mark.parametrize("knobs", [{"integrator": "velocity_verlet", "steps": 50}, {"rtol": 1e-6}])
+def test_row_of_damped_collisions_has_the_errors_with_each_damping(knobs):
+    truth = reference("damped", 35)
+    candidate = by("ode" if "rtol" in knobs else "timestep", **knobs)
+    row = measure(candidate, truth)
+    errors = []
+    for eta, part in truth.by_damping():
+        epsilon_t, _ = candidate.run(part.kappa, part.psi, eta)
+        errors.append(np.abs(epsilon_t - part.epsilon_t) + part.error_bound)
+    assert row.error_max == np.max(errors)
+    assert row.error_median == np.median(errors)
+    assert row.collisions == 35
+    assert row.microseconds_per_collision > 0.0
+
+
 def test_row_has_the_errors_of_its_method():
     truth = reference("figure4", 800)
-    row = measure(by("timestep", integrator="velocity_verlet", steps=50), truth)
-    stepped, _ = by("timestep", integrator="velocity_verlet", steps=50).run(truth.kappa, truth.psi)
+    candidate = by("timestep", integrator="velocity_verlet", steps=50)
+    row = measure(candidate, truth)
+    stepped, _ = candidate.run(truth.kappa, truth.psi, 0.0)
     error = np.abs(stepped - truth.epsilon_t)
     assert row.error_max == pytest.approx(error.max(), abs=1e-12)
     assert row.error_median == pytest.approx(np.median(error), abs=1e-12)
@@ -98,7 +144,7 @@ def test_the_exact_method_has_no_error_but_its_bound():
 
 
 def test_wrong_signs_and_refusals_are_counted():
-    def opposite(kappa, psi):
+    def opposite(kappa, psi, _damping):
         if np.any(kappa > 35.0):
             raise CostError("too stiff")
         return -collide(kappa, psi).epsilon_t, None

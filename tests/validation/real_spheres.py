@@ -2,6 +2,9 @@
 
 For the tests alone, from the paper and nothing of the package: DOP853 on compression, spring and
 velocity in metres and seconds; changes of regime and the end of contact are located as events.
+
+The independent variable is not the time t but τ with dt = 2√ξ dτ, in √m s/m: with damping the
+force begins as √t, at which a solver in time loses digits; in τ everything is a polynomial.
 """
 
 import math
@@ -16,11 +19,14 @@ LOOKS = 30
 Where the spring only just reaches the cap, both changes may fall between two looks: with 3 of them
 that is seen as 1.4e-5 in ε_t once in a thousand."""
 
-PAST_DOUBLE_ZERO = 2e-5
-"""Share of the contact for which sticking is followed without looking for its end.
+PAST_DOUBLE_ZERO = 2e-5, 0.1
+"""Shares of the contact, and of what is left of it, for which sticking is followed without looking
+for its end: whichever is shorter.
 
-The gap to the cap has a double zero where sticking begins: a look right after it finds rounding.
-Sticking that begins in the last such share changes the velocity by 1e-11 of friction's impulse."""
+The gap to the cap has a double zero where sticking begins: a look right after it finds rounding."""
+
+OVER = 1e-9
+"""Share of the contact that is not followed any more: it changes velocities by its square."""
 
 
 def laws(bodies):
@@ -33,64 +39,82 @@ def laws(bodies):
 
 
 def integrate(  # noqa: C901 - two regimes, three events, one system
-    mass, alpha, hertz, friction, stiffness, g_n, g_t
+    mass, alpha, hertz, friction, stiffness, g_n, g_t, dissipation=0.0
 ):
-    """Return ε_t and the number of changes of regime; everything in SI units."""
-    # of the order of the largest compression, of the contact's duration
+    """Return ε_t, ε_n and the number of changes of regime; everything in SI units.
+
+    `dissipation` is A of Eq. 1 in seconds. The contact ends when the normal force does, so that
+    the max(0, …) of that equation is never needed, and without it the last step stays smooth.
+    """
+    # of the order of the largest compression, of the contact in τ
     depth = (1.25 * mass * g_n**2 / hertz) ** 0.4
-    duration = 3.3 * depth / g_n
-    swing = math.sqrt(alpha * mass / stiffness)
+    span = 2.4 * math.sqrt(depth) / g_n
+    swing = math.sqrt(alpha * mass / stiffness) / (2 * math.sqrt(depth))
+    inertia = alpha * mass
+
+    def force_over_root(y):
+        # of K (ξ^{3/2} + (3/2) A √ξ ξ̇), with √ξ and ξ̇ in the first two places
+        return hertz * (y[0] ** 2 + 1.5 * dissipation * y[1])
 
     def compress(y):
-        return y[1], -hertz * max(y[0], 0.0) ** 1.5 / mass
+        return y[1], -2 * y[0] ** 2 * force_over_root(y) / mass
 
     def cap(y):
-        return friction * hertz * max(y[0], 0.0) ** 1.5 / stiffness
+        return friction * y[0] * force_over_root(y) / stiffness
 
     def cap_rate(y):
-        return 1.5 * friction * hertz * math.sqrt(max(y[0], 0.0)) * y[1] / stiffness
+        rate, slowing = compress(y)
+        damped = 1.5 * dissipation * (rate * y[1] + y[0] * slowing)
+        return friction * hertz / stiffness * (3 * y[0] ** 2 * rate + damped)
 
     def sliding(_, y):
-        return [*compress(y), side * cap_rate(y), -side * stiffness * cap(y) / (alpha * mass)]
+        return [*compress(y), side * cap_rate(y), -2 * y[0] * side * stiffness * cap(y) / inertia]
 
     def sticking(_, y):
-        return [*compress(y), y[3], -stiffness * y[2] / (alpha * mass)]
+        return [*compress(y), 2 * y[0] * y[3], -2 * y[0] * stiffness * y[2] / inertia]
 
     def parted(_, y):
-        return y[0]
+        # in decompression the force is zero at ξ = (3/2) A |ξ̇|
+        return y[0] - math.sqrt(1.5 * dissipation * max(0.0, -y[1]))
 
     def stops(_, y):
-        return side * y[3] - cap_rate(y)
+        # divided by √ξ, which is zero at the end of contact without damping
+        return side * 2 * y[3] - (cap_rate(y) / y[0] if y[0] else 0.0)
 
     def slips(_, y):
-        return cap(y) - abs(y[2])
+        # divided by √ξ, which is zero at the beginning of a contact with damping
+        return friction * force_over_root(y) / stiffness - (abs(y[2]) / y[0] if y[0] else 0.0)
 
     for event in (parted, stops, slips):
         event.terminal, event.direction = True, -1.0
-    tolerances = RTOL * np.array([depth, g_n, cap([depth]) + 1e-3 * g_t * duration, g_t])
-    side, time, slides, switches = 1.0, 0.0, True, 0
+    elongation = friction * hertz * depth**1.5 / stiffness + 1e-3 * g_t * depth / g_n
+    tolerances = RTOL * np.array([math.sqrt(depth), g_n, elongation, g_t])
+    # with damping the force begins steeper than the spring's
+    side, place, slides, switches = 1.0, 0.0, dissipation == 0.0, 0
     state = np.array([0.0, g_n, 0.0, g_t])
     while True:
         solution = solve_ivp(
             sliding if slides else sticking,
-            (time, time + 2 * duration),
+            (place, place + 9 * span),
             state,
             method="DOP853",
             events=[parted, stops if slides else slips],
             rtol=RTOL,
             atol=tolerances,
-            max_step=min(duration / 40, swing / LOOKS),
+            max_step=min(span / 40, swing / LOOKS),
         )
         assert solution.status == 1, "a contact ends"
-        time, state = solution.t[-1], solution.y[:, -1].copy()
-        late = PAST_DOUBLE_ZERO * duration
-        if solution.t_events[0].size or 0.0 < -state[0] / state[1] < 2 * late:
-            return float(state[3] / g_t), switches
+        place, state = solution.t[-1], solution.y[:, -1].copy()
+        # negative in compression
+        left = -parted(place, state) / state[1]
+        if solution.t_events[0].size or 0.0 < left < OVER * span:
+            return float(state[3] / g_t), float(-state[1] / g_n), switches
         slides, switches = not slides, switches + 1
         if slides:
             side = math.copysign(1.0, state[2])
         else:
+            late = min(PAST_DOUBLE_ZERO[0] * span, PAST_DOUBLE_ZERO[1] * abs(left))
             past = solve_ivp(
-                sticking, (time, time + late), state, method="DOP853", rtol=RTOL, atol=tolerances
+                sticking, (place, place + late), state, method="DOP853", rtol=RTOL, atol=tolerances
             )
-            time, state = past.t[-1], past.y[:, -1]
+            place, state = past.t[-1], past.y[:, -1]

@@ -59,10 +59,11 @@ COLLISION = ("kappa", "mu_over_alpha", "gt_over_gn")
 
 def steps_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
     """Yield what is wrong with the parameters of ``/steps``: a collision, or else a region."""
-    for name in COLLISION:
+    for name in (*COLLISION, "damping"):
         if "region" in given and name in given:
             yield name, "left out, as `region` is given"
-        elif "region" not in given and name not in given:
+    for name in COLLISION:
+        if "region" not in given and name not in given:
             yield name, "given, or else `region`"
 
 

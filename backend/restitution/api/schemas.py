@@ -68,17 +68,19 @@ Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with 
 MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
 GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]
 
+Damping = Annotated[
+    Finite,
+    stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
+    Field(ge=0, le=MOST_DAMPING),
+]
+
 
 class Request(BaseModel):
     """What every computing request takes."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
 
-    damping: Annotated[
-        Finite,
-        stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
-        Field(ge=0, le=MOST_DAMPING),
-    ] = 0.0
+    damping: Damping = 0.0
     tolerance: Annotated[
         Finite,
         stated("tolerance", "from 1e-13 to 1", "largest absolute error wanted in ε_t"),
@@ -298,7 +300,7 @@ class TableQuery(BaseModel):
         )
 
 
-SceneName = Literal["figure4", "stiff", "solids", "extremes"]
+SceneName = Literal["figure4", "stiff", "solids", "damped", "extremes"]
 SCENE_NAMES: tuple[SceneName, ...] = get_args(SceneName)
 SceneChoice = Annotated[SceneName, stated("scene", f"one of {', '.join(SCENE_NAMES)}")]
 
@@ -319,13 +321,14 @@ class StepsQuery(FormQuery):
     kappa: Kappa | None = None
     mu_over_alpha: MuOverAlpha | None = None
     gt_over_gn: GtOverGn | None = None
+    damping: Damping = 0.0
 
     @property
     def parameters(self) -> CollisionParameters | None:
         """The collision, None for a region."""
         if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
             return None
-        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn)
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
 
 
 class RunQuery(BaseModel):

@@ -15,6 +15,7 @@ from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.methods.exact import follow_affordable, known
+from restitution.studies.dampings import by_damping
 from restitution.studies.parameters import check, scaled_velocity
 
 MOST_DAMPINGS = 2000
@@ -87,25 +88,23 @@ def study_batch(
     kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
     if etas.size <= 1:
         return _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
-    different, group = np.unique(many, return_inverse=True)
-    if different.size > MOST_DAMPINGS:
+    groups = by_damping(many)
+    if len(groups) > MOST_DAMPINGS:
         raise CostError(
-            f"{different.size:,} different values of damping in one request are more than "
+            f"{len(groups):,} different values of damping in one request are more than "
             f"{MOST_DAMPINGS:,}, the limit: each needs a normal motion of its own"
         )
-    order = np.argsort(group, kind="stable")
-    parts = np.split(order, np.cumsum(np.bincount(group))[:-1])
     studies = [
         _study(
             kappas[part],
             psis[part],
             quantities,
             # each its part of the budget, so that all together stay within it
-            replace(options, damping=float(eta), share=part.size / kappas.size),
+            replace(options, damping=eta, share=part.size / kappas.size),
         )
-        for part, eta in zip(parts, different, strict=True)
+        for eta, part in groups
     ]
-    return _joined(studies, np.argsort(order, kind="stable"))
+    return _joined(studies, np.argsort(np.concatenate([part for _, part in groups])))
 
 
 def _joined(studies: list[BatchStudy], places: npt.NDArray[np.intp]) -> BatchStudy:

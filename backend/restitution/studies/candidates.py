@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -32,7 +32,11 @@ RTOL = (1e-3, 1e-6, 1e-9, 1e-12)
 Knobs = dict[str, Any]
 Counts = npt.NDArray[np.int32] | None
 Outcome = tuple[FloatArray, Counts]
-Run = Callable[[FloatArray, FloatArray], Outcome]
+Run = Callable[[FloatArray, FloatArray, float], Outcome]
+"""From κ and ψ (N,) and one η."""
+
+UNDAMPED = frozenset({"stiff", "table"})
+"""Methods that are made for η = 0."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +48,7 @@ class Candidate:
     method, options : str, dict
         Names as in the API.
     run : callable
-        From κ and ψ (N,) to ε_t and switches.
+        From κ, ψ (N,) and η to ε_t and switches.
     timed : callable, optional
         What is timed, if not `run`.
     collisions, timed_collisions : int
@@ -62,9 +66,13 @@ class Candidate:
     slow: bool = False
 
 
-def candidates() -> list[Candidate]:
-    """Return every method with every knob; methods that the planner learns join by themselves."""
-    knobs: dict[str, list[Knobs]] = {name: [{}] for name in planner.METHODS}
+def candidates(*, damped: bool = False) -> list[Candidate]:
+    """Return every method with every knob; methods that the planner learns join by themselves.
+
+    Those of `UNDAMPED` stay away where collisions are `damped`.
+    """
+    left_out = UNDAMPED if damped else frozenset()
+    knobs: dict[str, list[Knobs]] = {name: [{}] for name in planner.METHODS if name not in left_out}
     knobs["pragmatic"] = [{"floor": -1.0}]
     found = [_planned(tolerance) for tolerance in TOLERANCES]
     for method, settings in knobs.items():
@@ -85,8 +93,9 @@ def _planned(tolerance: float) -> Candidate:
     """Return `auto`, asked for nothing but ε_t; what it counts on the way is no promise."""
     options = Options(tolerance=tolerance)
 
-    def run(kappa: FloatArray, psi: FloatArray) -> Outcome:
-        return planner.solve(kappa, psi, ("epsilon_t",), options).epsilon_t, None
+    def run(kappa: FloatArray, psi: FloatArray, damping: float) -> Outcome:
+        asked = replace(options, damping=damping)
+        return planner.solve(kappa, psi, ("epsilon_t",), asked).epsilon_t, None
 
     return Candidate("auto", {"tolerance": tolerance}, run)
 
@@ -94,10 +103,11 @@ def _planned(tolerance: float) -> Candidate:
 def _bare(options: Options) -> Run:
     """Return a method by its name, those of Coulomb without the exact one for their error."""
     if options.method in {"coulomb", "pragmatic"}:
-        return lambda _, psi: (coulomb.law(psi, options), None)
+        return lambda _, psi, damping: (coulomb.law(psi, replace(options, damping=damping)), None)
 
-    def run(kappa: FloatArray, psi: FloatArray) -> Outcome:
-        answer: Answer = planner.METHODS[options.method](kappa, psi, options)
+    def run(kappa: FloatArray, psi: FloatArray, damping: float) -> Outcome:
+        asked = replace(options, damping=damping)
+        answer: Answer = planner.METHODS[options.method](kappa, psi, asked)
         return answer.epsilon_t, answer.switches
 
     return run
@@ -106,17 +116,17 @@ def _bare(options: Options) -> Run:
 def _stepping(integrator: str, steps: int) -> Candidate:
     """Return time steps, from contacts that begin at several instants within a step."""
 
-    def run(kappa: FloatArray, psi: FloatArray) -> Outcome:
+    def run(kappa: FloatArray, psi: FloatArray, damping: float) -> Outcome:
         epsilon_t, switches = np.empty(kappa.size), np.empty(kappa.size, np.int32)
         for i in range(PHASES):
             part = slice(i, None, PHASES)
             epsilon_t[part], switches[part] = step_collisions(
-                kappa[part], psi[part], steps, integrator, i / PHASES
+                kappa[part], psi[part], steps, integrator, i / PHASES, damping=damping
             )
         return epsilon_t, switches
 
-    def alone(kappa: FloatArray, psi: FloatArray) -> Outcome:
-        stepped = step_collisions(kappa, psi, steps, integrator, 0.5, together=1)
+    def alone(kappa: FloatArray, psi: FloatArray, damping: float) -> Outcome:
+        stepped = step_collisions(kappa, psi, steps, integrator, 0.5, together=1, damping=damping)
         return stepped.epsilon_t, stepped.switches
 
     options = {"integrator": integrator, "steps": steps}
@@ -124,8 +134,8 @@ def _stepping(integrator: str, steps: int) -> Candidate:
 
 
 def _solver(rtol: float, spring: ode.Spring) -> Candidate:
-    def run(kappa: FloatArray, psi: FloatArray) -> Outcome:
-        epsilon_t, switches = ode.run(kappa, psi, rtol, spring)
+    def run(kappa: FloatArray, psi: FloatArray, damping: float) -> Outcome:
+        epsilon_t, switches = ode.run(kappa, psi, rtol, spring, damping)
         return epsilon_t, switches if spring == "events" else None
 
     options = {"rtol": rtol, **({} if spring == "events" else {"spring": spring})}

@@ -35,14 +35,17 @@ class Scene:
         What it is, for people.
     kappa, psi : callable
         From a share, 0 … 1, of the distribution to κ and to ψ.
+    dampings : tuple of float
+        η, which the collisions have in turn.
     """
 
     title: str
     kappa: Stretch
     psi: Stretch
+    dampings: tuple[float, ...] = (0.0,)
 
-    def sample(self, count: int) -> tuple[FloatArray, FloatArray]:
-        """Return κ and ψ (count,) of collisions that fill the region evenly, always the same.
+    def sample(self, count: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Return κ, ψ and η (count,) of collisions that fill the region evenly, always the same.
 
         Notes
         -----
@@ -52,7 +55,7 @@ class Scene:
         plastic = 1.3247179572447460
         index = np.arange(1, count + 1)
         shares = np.mod(0.5 + index / plastic, 1.0), np.mod(0.5 + index / plastic**2, 1.0)
-        return self.kappa(shares[0]), self.psi(shares[1])
+        return self.kappa(shares[0]), self.psi(shares[1]), np.resize(self.dampings, count)
 
 
 _SLIP = _linear(0.01 / FRICTION, 4.0 / FRICTION)
@@ -70,6 +73,12 @@ SCENES = {
         "Real solids, with Mindlin's stiffness: κ 3.5…5.5, g_t/g_n 0.01…4 at μ/α = 1.4",
         _linear(3.5, 5.5),
         _SLIP,
+    ),
+    "damped": Scene(
+        "Damped contacts: κ and g_t/g_n as in Figure 4, η 0.01…0.5 (ε_n 0.99…0.60)",
+        _linear(0.1, 70.0),
+        _SLIP,
+        (0.01, 0.02, 0.04, 0.08, 0.16, 0.3, 0.5),
     ),
     "extremes": Scene(
         "The whole double range: κ and ψ 10⁻³⁰⁰…10³⁰⁰ on log scales",

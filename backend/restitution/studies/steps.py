@@ -6,8 +6,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.mechanics.collision import workers
-from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
+from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
+from restitution.mechanics.viscoelastic import contact_duration
 from restitution.studies.parameters import CollisionParameters
 from restitution.studies.reference import Reference, exact_reference, reference
 
@@ -101,7 +102,9 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
     if isinstance(where, str):
         truth, phases = reference(where, COLLISIONS), REGION_PHASES
     else:
-        truth = exact_reference(np.array([where.kappa]), np.array([where.psi]))
+        truth = exact_reference(
+            np.array([where.kappa]), np.array([where.psi]), np.array([where.damping])
+        )
         phases = SINGLE_PHASES
     integrators = [name for name in INTEGRATORS if name not in TWINS]
     rungs = list(itertools.product(integrators, LADDER))
@@ -112,15 +115,14 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
             sorted(rungs, key=lambda rung: -rung[1]),
         )
     )
-    root = np.sqrt(truth.kappa)
-    by_rule = np.maximum(LADDER[0], np.ceil(RULE * root))
+    by_rule = np.maximum(LADDER[0], np.ceil(RULE * np.sqrt(truth.kappa)))
     ladder = [
         (i, n, spreads[TWINS.get(i, i), n]) for i, n in itertools.product(INTEGRATORS, LADDER)
     ]
     return StepsStudy(
         truth.kappa.size,
         phases,
-        float(root.max()) * CONTACT_DURATION / 2.0,
+        _stability_limit(truth),
         {
             i: _needed(error, [spread for name, _, spread in ladder if name == i])
             for i in INTEGRATORS
@@ -143,8 +145,19 @@ def _spread(truth: Reference, integrator: str, steps: int, phases: int) -> Sprea
 
 
 def _errors(truth: Reference, integrator: str, steps: int, phase: float) -> FloatArray:
-    stepped = step_collisions(truth.kappa, truth.psi, steps, integrator, phase)
-    return np.abs(stepped.epsilon_t - truth.epsilon_t) + truth.error_bound
+    """Return the errors of collisions (N,), sorted by η."""
+    errors = []
+    for eta, part in truth.by_damping():
+        stepped = step_collisions(part.kappa, part.psi, steps, integrator, phase, damping=eta)
+        errors.append(np.abs(stepped.epsilon_t - part.epsilon_t) + part.error_bound)
+    return np.concatenate(errors)
+
+
+def _stability_limit(truth: Reference) -> float:
+    return max(
+        float(np.sqrt(part.kappa.max())) * contact_duration(eta) / 2.0
+        for eta, part in truth.by_damping()
+    )
 
 
 def _by_rule(truth: Reference, steps: FloatArray, integrators: list[str]) -> dict[str, Spread]:

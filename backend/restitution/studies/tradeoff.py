@@ -19,6 +19,7 @@ from restitution.errors import RestitutionError
 from restitution.mechanics.compiled import MODEL_VERSION
 from restitution.mechanics.hertz import FloatArray
 from restitution.studies.candidates import COLLISIONS, Candidate, Counts, Knobs, Run, candidates
+from restitution.studies.dampings import by_damping
 from restitution.studies.reference import Reference, reference
 from restitution.studies.scenes import SCENES
 from restitution.studies.steps import study_steps
@@ -100,7 +101,7 @@ def measure(candidate: Candidate, truth: Reference) -> Row:
     """Return the cost and the errors of one method with its knobs."""
     truth = truth.at(slice(candidate.collisions))
     count = truth.kappa.size
-    outcome = (_one_by_one if candidate.slow else _at_once)(candidate, truth.kappa, truth.psi)
+    outcome = _outcome(candidate, truth)
     share = 1.0 - outcome.answered.size / count
     if share == 1.0:
         return Row(candidate.method, candidate.options, count, share)
@@ -127,46 +128,69 @@ def measure(candidate: Candidate, truth: Reference) -> Row:
     )
 
 
-def _at_once(candidate: Candidate, kappa: FloatArray, psi: FloatArray) -> _Outcome:
-    """Return the outcome of collisions as one request, timed several times."""
+def _outcome(candidate: Candidate, truth: Reference) -> _Outcome:
+    """Return the outcome of collisions, those of each η by themselves."""
+    groups = by_damping(truth.damping)
+    few = max(1, candidate.timed_collisions // len(groups))
+    outcomes = []
+    for eta, places in groups:
+        part = candidate, truth.kappa[places], truth.psi[places], eta
+        outcomes.append(_one_by_one(*part) if candidate.slow else _at_once(*part, few))
+    answered = [places[part.answered] for (_, places), part in zip(groups, outcomes, strict=True)]
+    sizes = [places.size for places in answered]
+    counts = [part.switches for part in outcomes if part.switches is not None]
+    return _Outcome(
+        np.concatenate(answered),
+        np.concatenate([part.epsilon_t for part in outcomes]),
+        np.concatenate(counts) if counts else None,
+        sum(part.seconds * size for part, size in zip(outcomes, sizes, strict=True) if size)
+        / max(1, sum(sizes)),
+    )
+
+
+def _at_once(
+    candidate: Candidate, kappa: FloatArray, psi: FloatArray, damping: float, few: int
+) -> _Outcome:
+    """Return the outcome of collisions as one request, of which `few` are timed several times."""
     answered = np.arange(kappa.size)
     try:
-        epsilon_t, switches = candidate.run(kappa, psi)
+        epsilon_t, switches = candidate.run(kappa, psi, damping)
     except RestitutionError:
-        each = (_answers(candidate.run, kappa[[i]], psi[[i]]) for i in answered)
+        each = (_answers(candidate.run, kappa[[i]], psi[[i]], damping) for i in answered)
         answered = np.flatnonzero(np.fromiter(each, bool))
         if answered.size == 0:
             return _Outcome(answered, np.empty(0), None, np.nan)
         kappa, psi = kappa[answered], psi[answered]
-        epsilon_t, switches = candidate.run(kappa, psi)
+        epsilon_t, switches = candidate.run(kappa, psi, damping)
     timed = candidate.timed or candidate.run
-    few = slice(candidate.timed_collisions)
     times = []
     for _ in range(REPEATS):
         # of the process: so many collisions are shared by several threads
         begin = time.process_time()
-        timed(kappa[few], psi[few])
+        timed(kappa[:few], psi[:few], damping)
         times.append(time.process_time() - begin)
-    return _Outcome(answered, epsilon_t, switches, statistics.median(times) / kappa[few].size)
+    return _Outcome(answered, epsilon_t, switches, statistics.median(times) / kappa[:few].size)
 
 
-def _answers(run: Run, kappa: FloatArray, psi: FloatArray) -> bool:
+def _answers(run: Run, kappa: FloatArray, psi: FloatArray, damping: float) -> bool:
     try:
-        run(kappa, psi)
+        run(kappa, psi, damping)
     except RestitutionError:
         return False
     return True
 
 
-def _one_by_one(candidate: Candidate, kappa: FloatArray, psi: FloatArray) -> _Outcome:
+def _one_by_one(
+    candidate: Candidate, kappa: FloatArray, psi: FloatArray, damping: float
+) -> _Outcome:
     """Return the outcome of collisions as a request each, with their mean time."""
     answered, results, seconds = [], [], 0.0
     # the first call of all imports libraries
-    _answers(candidate.run, kappa[:1], psi[:1])
+    _answers(candidate.run, kappa[:1], psi[:1], damping)
     for i in range(kappa.size):
         begin = time.thread_time()
         try:
-            results.append(candidate.run(kappa[[i]], psi[[i]]))
+            results.append(candidate.run(kappa[[i]], psi[[i]], damping))
         except RestitutionError:
             continue
         seconds += time.thread_time() - begin
@@ -192,7 +216,7 @@ def study_tradeoff(
     chosen : sequence of Candidate, optional
         Those to measure; all of `candidates` by default.
     """
-    every = candidates() if chosen is None else chosen
+    every = candidates(damped=any(SCENES[scene].dampings)) if chosen is None else chosen
     truth = reference(scene, COLLISIONS)
     measurement = Measurement(
         scene,

@@ -87,6 +87,22 @@ test("map asks for the axes of the view", async () => {
   );
 });
 
+test("steps and stepped ask with the damping of the collision, if it has any", async () => {
+  const { asked, client } = clientOf({});
+  const damped = { ...COLLISION, damping: 0.3 };
+  await client.steps(damped, "1e-3");
+  await client.stepped(damped, { method: "timestep" });
+  await client.steps(COLLISION, "1e-3");
+  await client.steps("damped", "1e-3");
+  assert.equal(
+    asked[0].search,
+    "?kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358&damping=0.3&error=1e-3",
+  );
+  assert.equal(asked[1].searchParams.get("damping"), "0.3");
+  assert.equal(asked[2].search, "?kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358&error=1e-3");
+  assert.equal(asked[3].search, "?region=damped&error=1e-3");
+});
+
 test("a refusal is told in the server's own words", async () => {
   const { client } = clientOf({ detail: "too many switches" }, { status: 413 });
   await assert.rejects(

@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { forceFigure } from "../../../frontend/figures/force-figure.js";
+import { overlayFigure } from "../../../frontend/figures/overlay-figure.js";
 import { velocityFigure } from "../../../frontend/figures/velocity-figure.js";
 import { makeTrace, SIZE, THEME } from "../fixtures.js";
 
@@ -32,6 +33,19 @@ test("forceFigure gives each episode its width and the colour of its regime", ()
   assert.deepEqual(shades.marker.color, ["forward shade", "rgba(0,0,0,0)", "backward shade"]);
   assert.deepEqual(ribbon.marker.color, ["forward solid", "sticking solid", "backward solid"]);
   assert.deepEqual(ribbon.text, ["slides →", "sticks", "← slides"]);
+});
+
+test("overlayFigure has room for the force of strong damping, and for that of coarse steps", () => {
+  const stepped = (force) => ({
+    method_time: Float64Array.of(0, 1.5, 3),
+    method_tangential_force_over_mu: Float64Array.of(0, force, 0),
+  });
+  const range = (force, changes) =>
+    overlayFigure({ trace: makeTrace(changes), stepped: stepped(force) }, THEME, SIZE).layout.yaxis
+      .range;
+  assert.deepEqual(range(-1, {}), [-1.2, 1.2]);
+  assert.deepEqual(range(-1, { normal_force: Float64Array.of(0, 2, 1, 0) }), [-2.1, 2.1]);
+  assert.deepEqual(range(-2, {}), [-2.1, 2.1]);
 });
 
 test("forceFigure writes nothing on a piece of ribbon that is too short", () => {

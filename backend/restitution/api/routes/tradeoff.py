@@ -62,7 +62,10 @@ def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
         }
         payload = {
             "parameters": query.model_dump(exclude={"format", "encoding"})
-            | {"psi": psi if np.isfinite(psi) else None},
+            | {
+                "damping": where.damping if where else None,
+                "psi": psi if np.isfinite(psi) else None,
+            },
             "collisions": study.collisions,
             "phases": study.phases,
             "stability_limit": study.stability_limit,
