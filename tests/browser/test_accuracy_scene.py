@@ -69,8 +69,9 @@ def test_the_map_of_the_error_is_that_of_the_api(page: Page, server: str):
     eventually(cells_agree, page)
 
 
-def test_steps_lie_over_the_exact_force(page: Page, server: str):
-    page.goto(STEPS)
+@pytest.mark.parametrize("damping", ["", "&damping=0.3"])
+def test_steps_lie_over_the_exact_force(page: Page, server: str, damping: str):
+    page.goto(STEPS + damping)
     settle(page, server)
     answer = ask(server, "trace", **collision_of(page), method="timestep", steps=100)
 
@@ -85,11 +86,14 @@ def test_steps_lie_over_the_exact_force(page: Page, server: str):
     assert "integrator=forward_euler" in page.url
 
 
-def test_the_calculator_tells_what_the_api_tells(page: Page, server: str):
-    page.goto("/?scene=accuracy&wanted_error=1e-2&region=solids")
+@pytest.mark.parametrize(("region", "damping"), [("solids", ""), ("damped", "&damping=0.3")])
+def test_the_calculator_tells_what_the_api_tells(
+    page: Page, server: str, region: str, damping: str
+):
+    page.goto(f"/?scene=accuracy&wanted_error=1e-2&region={region}{damping}")
     settle(page, server)
     here = ask(server, "steps", error=1e-2, **collision_of(page))["needed"]["velocity_verlet"]
-    there = ask(server, "steps", error=1e-2, region="solids")["needed"]["velocity_verlet"]
+    there = ask(server, "steps", error=1e-2, region=region)["needed"]["velocity_verlet"]
     wanted = [here["p95"], here["worst"], there["p95"], there["worst"]]
 
     def numbers_agree() -> None:

@@ -19,7 +19,7 @@ LOOKS = 30
 Where the spring only just reaches the cap, both changes may fall between two looks: with 3 of them
 that is seen as 1.4e-5 in ε_t once in a thousand."""
 
-PAST_DOUBLE_ZERO = 2e-5, 0.1
+PAST_DOUBLE_ZERO = 2e-5, 0.01
 """Shares of the contact, and of what is left of it, for which sticking is followed without looking
 for its end: whichever is shorter.
 
@@ -82,8 +82,10 @@ def integrate(  # noqa: C901 - two regimes, three events, one system
         return side * 2 * y[3] - (cap_rate(y) / y[0] if y[0] else 0.0)
 
     def slips(_, y):
-        # divided by √ξ, which is zero at the beginning of a contact with damping
-        return friction * force_over_root(y) / stiffness - (abs(y[2]) / y[0] if y[0] else 0.0)
+        # divided by √ξ, which is zero at the beginning of a contact with damping; a step may end
+        # after the contact, where there is no cap
+        normal = max(0.0, force_over_root(y)) if y[0] >= 0.0 else 0.0
+        return friction * normal / stiffness - (abs(y[2] / y[0]) if y[0] else 0.0)
 
     for event in (parted, stops, slips):
         event.terminal, event.direction = True, -1.0
