@@ -65,7 +65,7 @@ def test_measuring_anew_is_off_unless_enabled(service, method, path):
 def measuring(service, monkeypatch):
     """A service that may measure, with few and small candidates."""
     few = [c for c in every.candidates() if c.method in {"exact", "stiff"}]
-    monkeypatch.setattr(tradeoff, "candidates", lambda: few * 20)
+    monkeypatch.setattr(tradeoff, "candidates", lambda **_: few * 20)
     return type(service)(TestClient(create_app(Settings(tradeoff_runs=True))))
 
 
@@ -124,7 +124,7 @@ def test_run_of_an_unknown_scene_is_refused(measuring):
 
 
 def test_a_run_that_fails_says_so(measuring, monkeypatch):
-    def fail():
+    def fail(**_):
         raise ValueError("for the test")
 
     monkeypatch.setattr(tradeoff, "candidates", fail)

@@ -244,6 +244,20 @@ def test_stored_measurement_has_the_shape_of_the_contract(scene):
     json.dumps(kept, allow_nan=False)
 
 
+def test_stored_measurement_shows_that_time_steps_are_of_first_order_with_damping():
+    def order(scene):
+        medians = [
+            next(
+                row["error_median"] for row in load_tradeoff()[scene]["rows"] if row["options"] == o
+            )
+            for o in ({"integrator": "velocity_verlet", "steps": n} for n in (1000, 20_000))
+        ]
+        return np.log(medians[0] / medians[1]) / np.log(20)
+
+    assert order("figure4") == pytest.approx(2.0, abs=0.1)
+    assert order("damped") == pytest.approx(1.0, abs=0.1)
+
+
 def test_stored_measurement_shows_what_it_must():
     rows = {
         (row["method"], *row["options"].values()): row for row in load_tradeoff()["figure4"]["rows"]
