@@ -49,9 +49,9 @@ COLUMNS = (
 PEER = """
 `lammps` is another program, LAMMPS with `pair_style granular`, on the same collisions: 400 pairs,
 those of one η at once, one thread, contacts that begin anywhere within a step
-(`tests/bench/peers.py`). Its steps are those of `timestep` with velocity Verlet, with which it agrees
-to 3e-6 from the same instant on, damped or not; its time is that of a whole code, with neighbour
-lists, three dimensions and a history for each contact.
+(`tests/bench/peers.py`). Its steps are those of `timestep` with velocity Verlet, with which it
+agrees to 3e-6 from the same instant on, damped or not; its time is that of a whole code, with
+neighbour lists, three dimensions and a history for each contact.
 """
 
 NO_PEER = """

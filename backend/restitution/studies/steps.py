@@ -32,6 +32,9 @@ TWINS = {"symplectic_euler": "velocity_verlet"}
 """Integrator → another one with the same ε_t: no force acts before or after a contact, so that
 half a kick more or less at its ends is none. A test holds it; here it saves a third."""
 
+Parts = list[tuple[float, Reference]]
+"""Collisions by their η."""
+
 
 @dataclass(frozen=True)
 class Spread:
@@ -106,12 +109,13 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
             np.array([where.kappa]), np.array([where.psi]), np.array([where.damping])
         )
         phases = SINGLE_PHASES
+    parts = truth.by_damping()
     integrators = [name for name in INTEGRATORS if name not in TWINS]
     rungs = list(itertools.product(integrators, LADDER))
     # the longest first, so that no thread is left with it at the end
     spreads = dict(
         workers().map(
-            lambda rung: (rung, _spread(truth, rung[0], rung[1], phases)),
+            lambda rung: (rung, _spread(parts, rung[0], rung[1], phases)),
             sorted(rungs, key=lambda rung: -rung[1]),
         )
     )
@@ -122,7 +126,7 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
     return StepsStudy(
         truth.kappa.size,
         phases,
-        _stability_limit(truth),
+        max(float(np.sqrt(part.kappa.max())) * contact_duration(eta) / 2.0 for eta, part in parts),
         {
             i: _needed(error, [spread for name, _, spread in ladder if name == i])
             for i in INTEGRATORS
@@ -137,27 +141,22 @@ def _spread_of(errors: FloatArray) -> Spread:
     return Spread(*np.quantile(errors, (0.5, 0.95, 1.0)).tolist())
 
 
-def _spread(truth: Reference, integrator: str, steps: int, phases: int) -> Spread:
+def _spread(parts: Parts, integrator: str, steps: int, phases: int) -> Spread:
     """Return the errors of one rung over collisions and phases."""
-    return _spread_of(
-        np.concatenate([_errors(truth, integrator, steps, i / phases) for i in range(phases)])
-    )
+    errors = [
+        _errors(part, eta, integrator, steps, phase / phases)
+        for eta, part in parts
+        for phase in range(phases)
+    ]
+    return _spread_of(np.concatenate(errors))
 
 
-def _errors(truth: Reference, integrator: str, steps: int, phase: float) -> FloatArray:
-    """Return the errors of collisions (N,), sorted by η."""
-    errors = []
-    for eta, part in truth.by_damping():
-        stepped = step_collisions(part.kappa, part.psi, steps, integrator, phase, damping=eta)
-        errors.append(np.abs(stepped.epsilon_t - part.epsilon_t) + part.error_bound)
-    return np.concatenate(errors)
-
-
-def _stability_limit(truth: Reference) -> float:
-    return max(
-        float(np.sqrt(part.kappa.max())) * contact_duration(eta) / 2.0
-        for eta, part in truth.by_damping()
-    )
+def _errors(
+    truth: Reference, damping: float, integrator: str, steps: int, phase: float
+) -> FloatArray:
+    """Return the errors of collisions (N,) of one η."""
+    stepped = step_collisions(truth.kappa, truth.psi, steps, integrator, phase, damping=damping)
+    return np.abs(stepped.epsilon_t - truth.epsilon_t) + truth.error_bound
 
 
 def _by_rule(truth: Reference, steps: FloatArray, integrators: list[str]) -> dict[str, Spread]:
@@ -167,7 +166,13 @@ def _by_rule(truth: Reference, steps: FloatArray, integrators: list[str]) -> dic
     spreads = {}
     for integrator in integrators:
         errors = [
-            _errors(truth.at(slice(i, i + 1)), integrator, int(steps[i]), phase / REGION_PHASES)
+            _errors(
+                truth.at(slice(i, i + 1)),
+                float(truth.damping[i]),
+                integrator,
+                int(steps[i]),
+                phase / REGION_PHASES,
+            )
             for i in range(truth.kappa.size)
             for phase in (i % 4, i % 4 + 4)
         ]
