@@ -30,8 +30,8 @@ KHARAZ_CENTRE_RATIOS = (
 )
 """Angle from the normal in degrees, and the tangential velocity of the centre after over before
 the impact, as digitised from the paper's figures for the examples of Lethe (chaos-polymtl/lethe),
-whose spins of other impacts bear out that this is the ratio of the centre: 5(1 − e_c)v_t/2R, between
-these angles, agrees with them within 6 % from 11° to 50° (14 % at 60°)."""
+whose spins of other impacts bear out that this is the ratio of the centre: 5(1 − e_c)v_t/2R,
+between these angles, agrees with them within 6 % from 11° to 50° (14 % at 60°)."""
 
 MEASURED_CONVENTION = (
     "centre_ratio e_c is the tangential velocity of the centre after over before the impact, "
