@@ -1,6 +1,6 @@
 // @ts-check
 
-import { alphaInWords, significant } from "../format/number.js";
+import { ABSENT, alphaInWords, significant } from "../format/number.js";
 import { carriedOver } from "../state/parameters.js";
 import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
@@ -64,7 +64,7 @@ function rowsOf(scaling) {
     ["largest compression", inUnits(scaling.maximum_compression_m, "m")],
     ["largest normal force", inUnits(scaling.maximum_normal_force_n, "N")],
     ["effective mass", inUnits(1000 * scaling.effective_mass_kg, "g")],
-    ["k_t", `${significant(scaling.tangential_stiffness_n_per_m, 3)} N/m`],
+    ["k_t", inUnits(scaling.tangential_stiffness_n_per_m, "N/m")],
     ["α", alphaInWords(carriedOver(scaling).alpha)],
     ["κ", significant(scaling.kappa)],
     ["μ/α", significant(scaling.mu_over_alpha)],
@@ -73,6 +73,7 @@ function rowsOf(scaling) {
     ["η", significant(scaling.damping)],
     ["ε_n", significant(scaling.epsilon_n)],
     ["ε_t", significant(scaling.epsilon_t)],
+    ["switches", String(scaling.switches ?? ABSENT)],
   ];
 }
 

@@ -133,7 +133,11 @@ export function mountParameterControl(parent, parameter, onChange) {
         reset.title = `Back to ${there}`;
       }
       slider.valueAsNumber = sliderStep(parameter, value);
-      slider.setAttribute("aria-valuetext", typable(value));
+      slider.setAttribute(
+        "aria-valuetext",
+        `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
+      );
+      field.title = isWorkedOut ? "worked out from the bodies" : "";
       reset.disabled = present() === usual;
       if (document.activeElement !== field) {
         write();

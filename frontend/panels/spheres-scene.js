@@ -31,6 +31,8 @@ import { withhold } from "./withhold.js";
 
 /** Cells of the map of velocities, and points of the cut, at rest and while dragging. */
 const FULL = { normal: 160, tangential: 120, cut: 400 };
+/** A damped collision costs ten times as much, and each column has a damping of its own. */
+const DAMPED = { normal: 96, tangential: 72, cut: 300 };
 const QUICK = { normal: 48, tangential: 36, cut: 120 };
 /** While dragging, half a pixel of a picture will do. */
 const QUICK_TOLERANCE = 4e-3;
@@ -104,6 +106,7 @@ export function mountSpheresScene({ load, explainBy, onRefused, onState }) {
     },
     onError: explainBy((reason) => {
       shown.scaling = null;
+      placeMark.removeAttribute("data-placed");
       result.refuse(reason);
       onRefused(reason);
     }),
@@ -126,7 +129,7 @@ export function mountSpheresScene({ load, explainBy, onRefused, onState }) {
       drawCut(change.dragging);
       announce("sphere-cut", change);
     },
-    onError: explainBy((reason) => withhold(cutStage, `No cut of this one: ${reason}`)),
+    onError: explainBy(() => withhold(cutStage, "No cut of this one")),
   });
   const places = createLatest({
     load: (view, signal) => load.map(1, view, PLACE, signal),
@@ -190,7 +193,7 @@ export function mountSpheresScene({ load, explainBy, onRefused, onState }) {
 
   /** Laid over the map, so that moving it draws nothing anew. */
   function markPlace() {
-    if (shown.place && present) {
+    if (shown.place && shown.scaling && present) {
       const { x, y } = placeOnMap(shown.place.view, present.collision);
       placeMark.style.setProperty("--x", String(x));
       placeMark.style.setProperty("--y", String(1 - y));
@@ -271,7 +274,8 @@ export function mountSpheresScene({ load, explainBy, onRefused, onState }) {
     const normal = values.normal_velocity_m_s ?? 1;
     const tangential = values.tangential_velocity_m_s ?? 0;
     const view = dragging && shown.velocities ? shown.velocities.view : velocityView(values);
-    const counts = dragging ? QUICK : FULL;
+    const whole = values.dissipative_constant_s === 0 ? FULL : DAMPED;
+    const counts = dragging ? QUICK : whole;
     const quickly = dragging ? { tolerance: QUICK_TOLERANCE } : {};
     const contact = contactBody(material, impact);
     velocities.point({ normal, tangential });

@@ -102,8 +102,8 @@ export function mountVelocities(element, { onPlace, onOption }) {
       );
     },
 
-    /** @param {string} reason */
-    withhold: (reason) => withhold(stage, `No map of this one: ${reason}`),
+    /** Why there is none, the impact itself tells. */
+    withhold: () => withhold(stage, "No map of this one"),
 
     /** What the server says of the present impact. @param {Scaling} scaling */
     settle(scaling) {

@@ -1,34 +1,23 @@
 """The scene of real spheres: in SI units, answered by the API, linked to all the rest."""
 
-import json
 import urllib.parse
-import urllib.request
 from pathlib import Path
 
 import pytest
-from explorer import collision_of, eventually, number, settle, text, trace_of
+from explorer import (
+    body_of,
+    collision_of,
+    eventually,
+    materials,
+    number,
+    post,
+    settle,
+    text,
+    trace_of,
+)
 from playwright.sync_api import Page, expect
 
 pytestmark = pytest.mark.browser
-
-
-def post(server: str, call: str, body: dict) -> dict:
-    request = urllib.request.Request(
-        f"{server}/api/v1/{call}", json.dumps(body).encode(), {"Content-Type": "application/json"}
-    )
-    with urllib.request.urlopen(request) as answer:
-        return json.load(answer)
-
-
-def materials(server: str) -> dict[str, dict]:
-    with urllib.request.urlopen(f"{server}/api/v1/materials") as answer:
-        return {item["id"]: item for item in json.load(answer)["items"]}
-
-
-def body_of(material: dict, **impact: float) -> dict:
-    names = ["body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m"]
-    chosen = {name: material[name] for name in [*names, "dissipative_constant_s"]}
-    return chosen | {"impact": material["impact"] | impact}
 
 
 def shows(page: Page, answer: dict) -> None:

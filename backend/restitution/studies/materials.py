@@ -163,9 +163,9 @@ MATERIALS = (
         _impact(3.37, 1.96),
         KHARAZ,
         "the impact is that at 30.1° from the normal, rounded; friction, density and the elastic "
-        "constants of alumina are those of the benchmark of Chung & Ooi (2011) on these data, as "
-        "YADE's examples have them, those of the glass are handbook values; the stiffness is "
-        "Mindlin's; the measured normal restitution of about 0.98 is taken as 1",
+        "constants of alumina are those of Chung & Ooi's benchmark (2011) as YADE's examples have "
+        "it, those of the glass handbook values; the stiffness is Mindlin's; the measured normal "
+        "restitution of 0.98 is taken as 1",
         measured=Measured(MEASURED_CONVENTION, _KHARAZ_POINTS),
     ),
     Material(
@@ -177,10 +177,10 @@ MATERIALS = (
         "mindlin",
         _impact(1.0, 0.3),
         FOERSTER,
-        "only the friction of soda lime glass is from this source, as others quote it: the paper "
-        "itself was not at hand; density and elastic constants are handbook values, the diameter "
-        "is rounded (3.18 mm in the tables of the same laboratory); Mindlin's stiffness makes "
-        "kappa independent of size and speed, and the normal restitution of 0.97 is taken as 1",
+        "only the friction is from this source, as others quote it; density and elastic constants "
+        "are handbook values, the diameter is rounded (3.18 mm in the tables of that laboratory); "
+        "Mindlin's stiffness makes kappa independent of size and speed; the normal restitution "
+        "of 0.97 is taken as 1",
     ),
     Material(
         "acetate-on-acetate",
@@ -191,9 +191,8 @@ MATERIALS = (
         "mindlin",
         _impact(1.0, 0.6),
         FOERSTER,
-        "only the friction is from this source, as others quote it: the paper itself was not at "
-        "hand; density and elastic constants are rounded typical values, the diameter is rounded "
-        "(5.99 mm in the tables of the same laboratory); its normal restitution of 0.87 is not "
-        "modelled here",
+        "only the friction is from this source, as others quote it; density and elastic constants "
+        "are rounded typical values, the diameter is rounded (5.99 mm in the tables of that "
+        "laboratory); its normal restitution of 0.87 is not modelled here",
     ),
 )
