@@ -1,6 +1,6 @@
 // @ts-check
 
-import { createClient, Refused, Unreachable } from "./api/client.js";
+import { createClient, createExplanation, Unreachable } from "./api/client.js";
 import {
   collisionQuery,
   cutQuery,
@@ -57,6 +57,8 @@ const addressBar = createAddressBar((state, wrong) => {
 
 const banner = mountMessage(byTestId("banner"));
 const notice = mountMessage(byTestId("notice"));
+const explainBy = createExplanation((reason) => connection.reportLost(reason));
+const explain = explainBy(notice.say);
 const shell = mountShell({ present: store.get, onOption: (patch) => store.set(patch) });
 const strip = mountResultStrip(byTestId("result"));
 const accuracyControl = mountAccuracyControl(byTestId("accuracy"), (patch, change) => {
@@ -92,19 +94,23 @@ const accuracyScene = mountAccuracyScene({
 });
 const spheresScene = mountSpheresScene({
   load: client,
-  onError: explain,
+  explainBy,
+  onRefused(reason) {
+    notice.say(reason);
+    strip.preview(null);
+  },
   onState: (patch, change) => store.set(patch, change),
 });
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
-  const { kappa, mu_over_alpha, gt_over_gn, damping } = preset;
+  const { kappa, mu_over_alpha, gt_over_gn, damping, alpha } = preset;
   const collision = { kappa, mu_over_alpha, gt_over_gn, damping };
-  store.set({ collision, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
+  store.set({ collision, alpha, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
 });
 const controls = PARAMETERS.map((parameter) => ({
   ...parameter,
   ...mountParameterControl(find(".controls"), parameter, (value, change) =>
-    changeCollision({ [parameter.key]: value }, change),
+    changeCollision({ [parameter.key]: value ?? parameter.initial }, change),
   ),
 }));
 
@@ -131,13 +137,7 @@ const cuts = createCutLoader({
     cut.show(shownCut, count !== FULL_CUT);
     cut.point(store.get().collision);
   },
-  onError(error) {
-    if (error instanceof Refused) {
-      cut.withhold(`No cut at this one: ${error.message}`);
-    } else {
-      explain(error);
-    }
-  },
+  onError: explainBy((reason) => cut.withhold(`No cut at this one: ${reason}`)),
 });
 
 /** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
@@ -150,7 +150,7 @@ let presetsAreHere = false;
 let hasPlayed = false;
 
 /** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
-const MAP_LOOKS = ["map", "map_x", "shape"];
+const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
 
 const connection = createConnection({
   isAnswering,
@@ -198,7 +198,10 @@ store.subscribe((state, previous, change) => {
   }
   if (!connection.isLost()) {
     spheresScene.follow(state, change);
-    ask(state, change);
+    // The collision of another impact follows when it is worked out.
+    if (state.scene !== "spheres" || state.impact === previous.impact) {
+      ask(state, change);
+    }
   }
 });
 
@@ -232,8 +235,11 @@ function showState(state) {
 
 function drawMap() {
   if (shownMap) {
-    const { map: quantity, map_x, shape } = store.get();
-    map.show({ ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x) }, shape);
+    const { map: quantity, map_x, alpha, shape } = store.get();
+    map.show(
+      { ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x, alpha) },
+      shape,
+    );
   }
 }
 
@@ -273,7 +279,8 @@ function loadAll() {
  * @param {Change} change
  */
 function ask(state, change) {
-  collisions.request({ collision: state.collision, accuracy: state.accuracy, change });
+  const { collision, accuracy, scene } = state;
+  collisions.request({ collision, accuracy, change, isPictured: scene !== "spheres" });
   if (!change.dragging) {
     followRest(state, false);
   }
@@ -322,7 +329,7 @@ async function loadPresets() {
  * @param {import("./state/collision-load.js").LoadedCollision} answer
  * @param {import("./state/collision-load.js").CollisionWish} wish
  */
-function showCollision(answer, { collision, accuracy, change }) {
+function showCollision(answer, { collision, accuracy, change, isPictured }) {
   shownCollision = answer;
   const { result, trace, reason, isOffered } = answer;
   const now = store.get();
@@ -338,13 +345,13 @@ function showCollision(answer, { collision, accuracy, change }) {
   if (trace) {
     isLight = force.show(trace, change.dragging) && velocity.show(trace, true);
     timeCursor.show(trace);
-  } else {
+  } else if (isPictured) {
     animation.withhold();
     force.withhold(`No picture of this one: ${reason}`);
     velocity.withhold("No picture of this one");
   }
   afterNextFrame(() => {
-    announcePainted("force-trace", change.inputTimeStamp);
+    announcePainted(isPictured ? "force-trace" : "result", change.inputTimeStamp);
     if (trace) {
       if (!isLight) {
         velocity.show(trace, change.dragging);
@@ -368,17 +375,6 @@ function playOnce() {
   if (!hasPlayed) {
     hasPlayed = true;
     animation.playGently();
-  }
-}
-
-/** @param {unknown} error */
-function explain(error) {
-  if (error instanceof Unreachable) {
-    connection.reportLost(error.message);
-  } else if (error instanceof Refused) {
-    notice.say(error.message);
-  } else {
-    throw error;
   }
 }
 

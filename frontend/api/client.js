@@ -106,6 +106,23 @@ export class Unreachable extends Error {}
 /** The server answered that it will not answer this: its reason is the message. */
 export class Refused extends Error {}
 
+/**
+ * What is to be done about an error: a refusal is left to whom it concerns.
+ * @param {(reason: string) => void} onLost
+ * @returns {(refuse: (reason: string) => void) => (error: unknown) => void}
+ */
+export function createExplanation(onLost) {
+  return (refuse) => (error) => {
+    if (error instanceof Unreachable) {
+      onLost(error.message);
+    } else if (error instanceof Refused) {
+      refuse(error.message);
+    } else {
+      throw error;
+    }
+  };
+}
+
 const LONGEST_WAIT = 15_000;
 
 /** The only place that knows the server. */

@@ -3,7 +3,7 @@
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { errorStops } from "./color-scales.js";
 import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
-import { shareAxis } from "./share-axis.js";
+import { horizontalName, shareAxis } from "./share-axis.js";
 
 /** Between these powers of ten an error has a colour of its own. */
 export const ERROR_DECADES = { low: -8, high: 0 };
@@ -38,7 +38,7 @@ export function errorMapFigure({ errors, view, horizontal }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, horizontal.scale, view.scale),
-        title: axisTitle(PLOT_SYMBOLS[horizontal.symbol], 6, theme),
+        title: axisTitle(horizontalName(horizontal), 6, theme),
       },
       yaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),

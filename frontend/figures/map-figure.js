@@ -3,7 +3,7 @@
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { restitutionStops, switchClasses, switchStops } from "./color-scales.js";
 import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
-import { shareAxis } from "./share-axis.js";
+import { horizontalName, shareAxis } from "./share-axis.js";
 
 /**
  * A map and how it is to be seen.
@@ -43,7 +43,7 @@ export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, horizontal.scale, view.scale),
-        title: axisTitle(PLOT_SYMBOLS[horizontal.symbol], 6, theme),
+        title: axisTitle(horizontalName(horizontal), 6, theme),
       },
       yaxis: {
         ...shareAxis(theme, view.gtOverGn, view.scale),

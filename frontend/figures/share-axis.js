@@ -1,6 +1,7 @@
 // @ts-check
 
-import { brief } from "../format/number.js";
+import { alphaInWords, brief } from "../format/number.js";
+import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { plainAxis } from "./plot-area.js";
 
 /** @typedef {import("../state/scales.js").Scale} Scale */
@@ -14,6 +15,18 @@ import { plainAxis } from "./plot-area.js";
 export function shareAxis(theme, scale, kind) {
   const { tickvals, ticktext } = shareTicks(scale, kind);
   return plainAxis(theme, [0, 1], tickvals, ticktext);
+}
+
+/**
+ * What a horizontal axis is; ακ says of which α.
+ * @param {{symbol: keyof typeof PLOT_SYMBOLS, alpha?: number}} axis
+ */
+export function horizontalName({ symbol, alpha }) {
+  if (alpha === undefined) {
+    return PLOT_SYMBOLS[symbol];
+  }
+  const spheres = alphaInWords(alpha) === "2/7" ? ", solid spheres" : "";
+  return `${PLOT_SYMBOLS[symbol]} with <i>α</i> = ${alphaInWords(alpha)}${spheres}`;
 }
 
 /**

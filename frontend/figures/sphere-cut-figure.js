@@ -19,6 +19,7 @@ const TICKS = [-1, -0.5, 0, 0.5, 1];
  */
 export function sphereCutFigure({ curves, tangential, measured, here }, theme, size) {
   const { unit } = theme;
+  const within = measured.filter(({ share }) => share <= 1);
   const count = curves.epsilon_t.length;
   const x = Float64Array.from({ length: count }, (_, i) => i / (count - 1));
   const line = (
@@ -46,11 +47,16 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
         dash: "6px,4px",
       }),
       line("epsilon_t", curves.epsilon_t, { color: theme.ink, width: 2 * unit }),
-      points(
-        "measured",
-        measured.filter(({ share }) => share <= 1),
-        { size: 9 * unit, color: theme.methodEuler, symbol: "diamond" },
-      ),
+      // A trace without points is not drawn at all, and those to be moved are counted.
+      ...(within.length > 0
+        ? [
+            points("measured", within, {
+              size: 9 * unit,
+              color: theme.methodEuler,
+              symbol: "diamond",
+            }),
+          ]
+        : []),
       points("present impact", here ? [here] : [], {
         size: 13 * unit,
         color: theme.paper,

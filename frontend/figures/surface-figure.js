@@ -4,7 +4,7 @@ import { brief } from "../format/number.js";
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { mapColoring } from "./map-figure.js";
 import { baseLayout } from "./plot-area.js";
-import { shareTicks } from "./share-axis.js";
+import { horizontalName, shareTicks } from "./share-axis.js";
 
 /**
  * @typedef {import("./theme.js").Theme} Theme
@@ -25,7 +25,7 @@ const NO_MARGIN = { l: 0, r: 0, t: 0, b: 0 };
  * @typedef {object} Surface
  * @property {Pick<import("../api/client.js").MapGrid, "kappa" | "gt_over_gn" | "epsilon_t"> & {switches: Int32Array[]}} grid
  * @property {{scale: "linear" | "log", vertical: keyof typeof PLOT_SYMBOLS, gtOverGn: import("../state/scales.js").Scale}} view
- * @property {{symbol: keyof typeof PLOT_SYMBOLS, scale: import("../state/scales.js").Scale}} horizontal
+ * @property {{symbol: keyof typeof PLOT_SYMBOLS, alpha?: number, scale: import("../state/scales.js").Scale}} horizontal
  * @property {"epsilon_t" | "switches"} quantity
  * @property {Place | null} place
  */
@@ -70,7 +70,7 @@ export function surfaceFigure({ grid, view, horizontal, quantity, place }, theme
         aspectmode: "manual",
         aspectratio: { x: 1.25, y: 1.1, z: 0.65 },
         camera: { eye: eyeFor(size), center: { x: 0, y: 0, z: -0.14 } },
-        xaxis: sceneAxis(theme, PLOT_SYMBOLS[horizontal.symbol], {
+        xaxis: sceneAxis(theme, horizontalName(horizontal), {
           range: [0, 1],
           ...shareTicks(horizontal.scale, view.scale),
         }),

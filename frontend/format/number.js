@@ -141,6 +141,14 @@ export function duration(milliseconds) {
   return `${Number((milliseconds / 1000).toPrecision(2))}${NARROW_SPACE}s`;
 }
 
+/**
+ * α as it is spoken of: that of homogeneous spheres is 2/7.
+ * @param {number} alpha
+ */
+export function alphaInWords(alpha) {
+  return alpha === 2 / 7 ? "2/7" : brief(alpha);
+}
+
 /** So many characters fit into a number field. */
 const LONGEST_PLAIN = 9;
 

@@ -122,7 +122,7 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
 
   function drawErrorMap() {
     if (errors && present) {
-      errorMap.show(errors.errors, errors.wish.view, present.map_x);
+      errorMap.show(errors.errors, errors.wish.view, present);
     }
   }
 
@@ -182,7 +182,7 @@ export function mountAccuracyScene({ load, onError, onOption, onAccuracy, onPlac
       } else if (before?.statistic !== state.statistic || before.accuracy !== state.accuracy) {
         drawTradeoff();
       }
-      if (before?.map_x !== state.map_x) {
+      if (before?.map_x !== state.map_x || before.alpha !== state.alpha) {
         drawErrorMap();
       }
       errorMaps.follow(state, dragging);

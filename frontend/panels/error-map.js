@@ -54,11 +54,11 @@ export function mountErrorMap(element, onPlace) {
     /**
      * @param {Float64Array[]} errors
      * @param {import("../state/map-view.js").MapView} view
-     * @param {import("../state/map-view.js").HorizontalAxis["symbol"]} symbol
+     * @param {Pick<import("../state/url.js").PageState, "map_x" | "alpha">} options
      */
-    show(errors, view, symbol) {
+    show(errors, view, { map_x, alpha }) {
       withhold(stage, "");
-      plot.show({ errors, view, horizontal: horizontalAxis(view, symbol) });
+      plot.show({ errors, view, horizontal: horizontalAxis(view, map_x, alpha) });
       crosshair.lieOn(view);
     },
 

@@ -1,12 +1,13 @@
 // @ts-check
 
-import { IMPACT_PARAMETERS, valuesOf } from "../state/impact.js";
+import { IMPACT_PARAMETERS, impactOf, valuesOf } from "../state/impact.js";
 import { byTestId, find } from "./find.js";
 import { mountParameterControl } from "./parameter-control.js";
 import { typeset } from "./typeset.js";
 
 /**
  * @typedef {import("../state/impact.js").Impact} Impact
+ * @typedef {import("../state/impact.js").ImpactKey} ImpactKey
  * @typedef {import("../state/impact.js").Material} Material
  */
 
@@ -15,19 +16,28 @@ import { typeset } from "./typeset.js";
  * @param {HTMLElement} element
  * @param {object} handlers
  * @param {(material: string) => void} handlers.onMaterial
- * @param {(patch: Partial<Impact>, change: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onChange
+ * @param {(patch: Partial<Impact>, change?: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onChange
  */
 export function mountImpactControls(element, { onMaterial, onChange }) {
   const choice = /** @type {HTMLSelectElement} */ (byTestId("material", element));
+  const inertia = byTestId("inertia", element);
   const source = find(".preset-source", element);
   const parent = find(".impact-parameters", element);
+  /** What the material says. @type {Record<ImpactKey, number | null> | null} */
+  let usual = null;
+  let usualInertia = "";
   const controls = IMPACT_PARAMETERS.map((parameter) => ({
     key: parameter.key,
-    ...mountParameterControl(parent, parameter, (value, change) =>
-      onChange({ [parameter.key]: value }, change),
-    ),
+    ...mountParameterControl(parent, parameter, (value, change) => {
+      // What the material says anyway is not set by hand.
+      onChange({ [parameter.key]: value === usual?.[parameter.key] ? null : value }, change);
+    }),
   }));
   choice.addEventListener("change", () => onMaterial(choice.value));
+  inertia.addEventListener("change", (event) => {
+    const { value } = /** @type {HTMLInputElement} */ (event.target);
+    onChange({ inertia: value === usualInertia ? null : value });
+  });
 
   return {
     /** @param {Material[]} materials */
@@ -42,17 +52,18 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
      */
     show(material, impact, stiffness) {
       choice.value = material.id;
+      usual = valuesOf(material, impactOf(material.id));
+      usualInertia = material.body_1.inertia;
       const values = valuesOf(material, impact);
-      const usual = valuesOf(material, { ...impact, ...NOTHING });
       for (const { key, show } of controls) {
-        show(values[key] ?? rounded(stiffness), usual[key] ?? rounded(stiffness));
+        show(values[key] ?? rounded(stiffness), usual[key], values[key] === null);
       }
+      const spread = find(`[value="${impact.inertia ?? usualInertia}"]`, inertia);
+      /** @type {HTMLInputElement} */ (spread).checked = true;
       typeset(source, `${material.source} · ${material.notes}`);
     },
   };
 }
-
-const NOTHING = Object.fromEntries(IMPACT_PARAMETERS.map(({ key }) => [key, null]));
 
 /** Mindlin's stiffness, which is worked out, to four digits. @param {number} value */
 function rounded(value) {

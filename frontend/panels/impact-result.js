@@ -1,8 +1,10 @@
 // @ts-check
 
-import { significant } from "../format/number.js";
+import { ABSENT, alphaInWords, significant } from "../format/number.js";
+import { carriedOver } from "../state/parameters.js";
 import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
+import { write } from "./write.js";
 
 /**
  * What an impact is in SI units and in scaled terms, and where the model is left.
@@ -11,18 +13,43 @@ import { typeset } from "./typeset.js";
 export function createImpactResult(element) {
   const list = byTestId("impact-result", element);
   const warnings = byTestId("impact-warnings", element);
+  const refusal = byTestId("impact-refusal", element);
+  /** The values, by their names. @type {Map<string, HTMLElement>} */
+  const shown = new Map();
+
+  /** @param {string} name */
+  function place(name) {
+    const term = document.createElement("dt");
+    const description = document.createElement("dd");
+    typeset(term, name);
+    list.append(term, description);
+    shown.set(name, description);
+    return description;
+  }
 
   return {
     /** @param {import("../api/client.js").Scaling} scaling */
     show(scaling) {
-      list.replaceChildren(...rowsOf(scaling).flatMap(([name, value]) => pair(name, value)));
-      warnings.replaceChildren(
-        ...scaling.warnings.map(({ text }) => {
-          const item = document.createElement("li");
-          typeset(item, text);
-          return item;
-        }),
-      );
+      typeset(refusal, "");
+      list.hidden = false;
+      for (const [name, value] of rowsOf(scaling)) {
+        write(shown.get(name) ?? place(name), value);
+      }
+      const texts = scaling.warnings.map(({ text }) => text);
+      for (const item of [...warnings.children].slice(texts.length)) {
+        item.remove();
+      }
+      for (const [i, text] of texts.entries()) {
+        const item = warnings.children[i] ?? warnings.appendChild(document.createElement("li"));
+        typeset(/** @type {HTMLElement} */ (item), text);
+      }
+    },
+
+    /** Why there is none. @param {string} reason */
+    refuse(reason) {
+      list.hidden = true;
+      warnings.replaceChildren();
+      typeset(refusal, `Not this one: ${reason}`);
     },
   };
 }
@@ -37,7 +64,8 @@ function rowsOf(scaling) {
     ["largest compression", inUnits(scaling.maximum_compression_m, "m")],
     ["largest normal force", inUnits(scaling.maximum_normal_force_n, "N")],
     ["effective mass", inUnits(1000 * scaling.effective_mass_kg, "g")],
-    ["k_t", `${significant(scaling.tangential_stiffness_n_per_m, 3)} N/m`],
+    ["k_t", inUnits(scaling.tangential_stiffness_n_per_m, "N/m")],
+    ["α", alphaInWords(carriedOver(scaling).alpha)],
     ["κ", significant(scaling.kappa)],
     ["μ/α", significant(scaling.mu_over_alpha)],
     ["g_t/g_n", significant(scaling.gt_over_gn)],
@@ -45,6 +73,7 @@ function rowsOf(scaling) {
     ["η", significant(scaling.damping)],
     ["ε_n", significant(scaling.epsilon_n)],
     ["ε_t", significant(scaling.epsilon_t)],
+    ["switches", String(scaling.switches ?? ABSENT)],
   ];
 }
 
@@ -68,16 +97,4 @@ function inUnits(value, unit) {
   const isFar = Math.abs(value) >= 1e9;
   const [factor, prefix] = found && !isFar ? found : [1, ""];
   return `${significant(value / factor, 4)} ${prefix}${unit}`;
-}
-
-/**
- * @param {string} name
- * @param {string} value
- */
-function pair(name, value) {
-  const term = document.createElement("dt");
-  const description = document.createElement("dd");
-  typeset(term, name);
-  description.textContent = value;
-  return [term, description];
 }

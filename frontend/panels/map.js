@@ -1,10 +1,11 @@
 // @ts-check
 
 import { mapFigure, mostSwitches } from "../figures/map-figure.js";
-import { typable } from "../format/number.js";
+import { alphaInWords, typable } from "../format/number.js";
 import { placeOnMap } from "../state/map-view.js";
+import { SOLID_ALPHA } from "../state/parameters.js";
 import { MAP_AXES, mountCrosshair } from "./crosshair.js";
-import { find } from "./find.js";
+import { byTestId, find } from "./find.js";
 import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
 import { createSurface } from "./surface.js";
@@ -15,7 +16,7 @@ import { onThemeChange } from "./theme.js";
  * @param {HTMLElement} element
  * @param {object} handlers
  * @param {(place: Record<string, number>, change: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onPlace
- * @param {(patch: Record<string, string>) => void} handlers.onOption
+ * @param {(patch: Partial<import("../state/url.js").PageState>) => void} handlers.onOption
  */
 export function mountMap(element, { onPlace, onOption }) {
   const plotElement = find(".plot", element);
@@ -23,6 +24,7 @@ export function mountMap(element, { onPlace, onOption }) {
   const legend = createMapLegend(find(".map-legend", element));
   const crosshair = mountCrosshair(find(".crosshair", element), MAP_AXES, onPlace);
   const surface = createSurface(find(".plot-stage", element));
+  const alphaReset = byTestId("alpha-reset", element);
   /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;
   let chosen = "";
@@ -41,6 +43,8 @@ export function mountMap(element, { onPlace, onOption }) {
     const isOn = input.type !== "checkbox" || input.checked;
     onOption({ [input.name]: isOn ? input.value : "flat" });
   });
+
+  alphaReset.addEventListener("click", () => onOption({ alpha: SOLID_ALPHA }));
 
   function drawLegend() {
     if (shown) {
@@ -77,9 +81,9 @@ export function mountMap(element, { onPlace, onOption }) {
     point: crosshair.point,
 
     /** @param {import("../state/url.js").PageState} state */
-    options({ map, scale, map_x, map_y, shape }) {
+    options({ map, scale, map_x, map_y, shape, alpha }) {
       const options = { map, scale, map_x, map_y };
-      const wanted = JSON.stringify([options, shape]);
+      const wanted = JSON.stringify([options, shape, alpha]);
       if (wanted === chosen) {
         return;
       }
@@ -90,6 +94,8 @@ export function mountMap(element, { onPlace, onOption }) {
       }
       const inDepth = /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element));
       inDepth.checked = shape === "surface";
+      alphaReset.hidden = alpha === SOLID_ALPHA;
+      find("span", alphaReset).textContent = alphaInWords(alpha);
     },
 
     /**

@@ -8,11 +8,14 @@ import { find } from "./find.js";
 /** After so many ms without a key, a number is taken for typed. */
 const TYPING_PAUSE = 600;
 
+/** So many characters stand in a field in the usual type. */
+const USUAL_LENGTH = 9;
+
 /**
  * A slider, a number field and a reset for one parameter.
  * @param {HTMLElement} parent
  * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
- * @param {(value: number, change: {dragging: boolean, inputTimeStamp: number}) => void} onChange
+ * @param {(value: number | null, change: {dragging: boolean, inputTimeStamp: number}) => void} onChange told null where a reset has it worked out of the others
  */
 export function mountParameterControl(parent, parameter, onChange) {
   const template = /** @type {HTMLTemplateElement} */ (find("#parameter-control"));
@@ -25,8 +28,10 @@ export function mountParameterControl(parent, parameter, onChange) {
   const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
   let value = NaN;
-  /** What a reset goes back to. */
-  let usual = NaN;
+  /** Whether the value is not set, but worked out of others. */
+  let workedOut = false;
+  /** What a reset goes back to. @type {number | null | undefined} */
+  let usual;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let pause;
 
@@ -52,7 +57,7 @@ export function mountParameterControl(parent, parameter, onChange) {
     });
   });
   slider.addEventListener("change", (event) => {
-    onChange(value, { dragging: false, inputTimeStamp: event.timeStamp });
+    onChange(present(), { dragging: false, inputTimeStamp: event.timeStamp });
   });
   field.addEventListener("input", (event) => {
     const typed = parseParameter(parameter, field.value);
@@ -66,7 +71,7 @@ export function mountParameterControl(parent, parameter, onChange) {
   field.addEventListener("change", settle);
   field.addEventListener("blur", () => {
     tellProblem(false);
-    field.value = typable(value);
+    write();
   });
   field.addEventListener("keydown", (event) => {
     const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
@@ -77,12 +82,12 @@ export function mountParameterControl(parent, parameter, onChange) {
         dragging: false,
         inputTimeStamp: event.timeStamp,
       });
-      field.value = typable(value);
+      write();
       tellProblem(false);
     }
   });
   reset.addEventListener("click", (event) => {
-    onChange(usual, { dragging: false, inputTimeStamp: event.timeStamp });
+    onChange(usual ?? null, { dragging: false, inputTimeStamp: event.timeStamp });
     // The button has done its work and gives the focus up; a finger wants no keyboard on the screen.
     if (event.detail === 0) {
       field.focus();
@@ -92,7 +97,16 @@ export function mountParameterControl(parent, parameter, onChange) {
   /** What was typed stands: it need not be left for that. */
   function settle() {
     clearTimeout(pause);
-    onChange(value, { dragging: false, inputTimeStamp: performance.now() });
+    onChange(present(), { dragging: false, inputTimeStamp: performance.now() });
+  }
+
+  function present() {
+    return workedOut ? null : value;
+  }
+
+  function write() {
+    field.value = typable(value);
+    field.toggleAttribute("data-long", field.value.length > USUAL_LENGTH);
   }
 
   /** @param {boolean} wrong */
@@ -105,20 +119,28 @@ export function mountParameterControl(parent, parameter, onChange) {
   return {
     /**
      * @param {number} next
-     * @param {number} initial what a reset goes back to
+     * @param {number | null} initial what a reset goes back to; null is worked out of the others
+     * @param {boolean} [isWorkedOut] whether the present value is
      */
-    show(next, initial) {
+    show(next, initial, isWorkedOut = false) {
       value = next;
+      workedOut = isWorkedOut;
+      root.toggleAttribute("data-worked-out", isWorkedOut);
       if (initial !== usual) {
         usual = initial;
-        reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${typable(usual)}`);
-        reset.title = `Back to ${typable(usual)}`;
+        const there = usual === null ? "what the bodies make it" : typable(usual);
+        reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${there}`);
+        reset.title = `Back to ${there}`;
       }
       slider.valueAsNumber = sliderStep(parameter, value);
-      slider.setAttribute("aria-valuetext", typable(value));
-      reset.disabled = value === usual;
+      slider.setAttribute(
+        "aria-valuetext",
+        `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
+      );
+      field.title = isWorkedOut ? "worked out from the bodies" : "";
+      reset.disabled = present() === usual;
       if (document.activeElement !== field) {
-        field.value = typable(value);
+        write();
         tellProblem(false);
       }
     },

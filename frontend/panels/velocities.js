@@ -9,6 +9,7 @@ import { createMapLegend } from "./map-legend.js";
 import { createPlot } from "./plot.js";
 import { createSurface } from "./surface.js";
 import { onThemeChange } from "./theme.js";
+import { withhold } from "./withhold.js";
 
 /**
  * @typedef {import("../api/client.js").Scaling} Scaling
@@ -41,8 +42,9 @@ const AXES = {
  */
 export function mountVelocities(element, { onPlace, onOption }) {
   const plotElement = find(".plot", element);
+  const stage = find(".plot-stage", element);
   const plot = createPlot(plotElement, velocityMapFigure);
-  const surface = createSurface(find(".plot-stage", element));
+  const surface = createSurface(stage);
   const legend = createMapLegend(byTestId("velocity-legend", element));
   const crosshair = mountCrosshair(find(".crosshair", element), AXES, onPlace);
   const endThemeChanges = onThemeChange(() => legend.draw("epsilon_t", 0));
@@ -83,6 +85,7 @@ export function mountVelocities(element, { onPlace, onOption }) {
     show(map, view, { velocity_law, shape }) {
       const law = velocity_law === "coulomb" ? "coulomb" : "epsilon_t";
       shown = { map, view };
+      withhold(stage, "");
       element.dataset.shape = shape;
       if (shape === "surface") {
         pointSurface();
@@ -98,6 +101,9 @@ export function mountVelocities(element, { onPlace, onOption }) {
         `ε_t ${law === "coulomb" ? "by Coulomb’s law " : ""}over normal and tangential velocity up to ${typable(view.most)} m/s.`,
       );
     },
+
+    /** Why there is none, the impact itself tells. */
+    withhold: () => withhold(stage, "No map of this one"),
 
     /** What the server says of the present impact. @param {Scaling} scaling */
     settle(scaling) {

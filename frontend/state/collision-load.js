@@ -14,13 +14,14 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
  * @property {Collision} collision
  * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {import("./store.js").Change} change
+ * @property {boolean} isPictured whether its trace is wanted
  */
 
 /**
  * @typedef {object} LoadedCollision
  * @property {CollisionAnswer} result with ε_t as the chosen method has it
  * @property {Trace | null} trace exact
- * @property {string} reason why there is none
+ * @property {string} reason why there is none, where one was wanted
  * @property {boolean} isOffered whether the chosen method answers this collision
  */
 
@@ -34,9 +35,13 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
 export function createCollisionLoad(server) {
   /**
    * @param {Collision} collision
+   * @param {boolean} isPictured
    * @param {AbortSignal} signal
    */
-  async function loadExactly(collision, signal) {
+  async function loadExactly(collision, isPictured, signal) {
+    if (!isPictured) {
+      return { result: await server.collision(collision, signal), trace: null, reason: "" };
+    }
     if (mayBeTooStiffToDraw(collision)) {
       const result = await server.collision(collision, signal);
       if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
@@ -52,11 +57,11 @@ export function createCollisionLoad(server) {
    * @param {AbortSignal} signal
    * @returns {Promise<LoadedCollision>}
    */
-  return async function load({ collision, accuracy }, signal) {
+  return async function load({ collision, accuracy, isPictured }, signal) {
     const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
     const isOffered = canAnswer(accuracy.method, collision);
     const [exactly, answer] = await Promise.all([
-      loadExactly(collision, signal),
+      loadExactly(collision, isPictured, signal),
       isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
     ]);
     return { ...exactly, result: { ...exactly.result, ...answer }, isOffered };

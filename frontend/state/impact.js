@@ -5,7 +5,7 @@ import { logScale, powerScale, stepAbove } from "./scales.js";
 /**
  * An impact of real spheres: the bodies of a material, and what is set of them by hand; null is what
  * the material says.
- * @typedef {{material: string} & Record<ImpactKey, number | null>} Impact
+ * @typedef {{material: string, inertia: string | null} & Record<ImpactKey, number | null>} Impact
  * @typedef {"radius_m" | "youngs_modulus_pa" | "friction_coefficient" | "tangential_stiffness_n_per_m" | "dissipative_constant_s" | "normal_velocity_m_s" | "tangential_velocity_m_s"} ImpactKey
  */
 
@@ -13,6 +13,9 @@ import { logScale, powerScale, stepAbove } from "./scales.js";
  * What can be set by hand, in SI units.
  * @typedef {Omit<import("./parameters.js").Parameter, "key" | "initial"> & {key: ImpactKey}} ImpactParameter
  */
+
+/** How the mass of a sphere is spread. */
+export const INERTIAS = ["solid", "hollow"];
 
 const positive = (/** @type {number} */ value) => value > 0;
 const notNegative = (/** @type {number} */ value) => value >= 0;
@@ -86,7 +89,7 @@ export const IMPACT_PARAMETERS = [
 /** Nothing set by hand. @param {string} material @returns {Impact} */
 export function impactOf(material) {
   const nothing = IMPACT_PARAMETERS.map(({ key }) => [key, null]);
-  return { ...Object.fromEntries(nothing), material };
+  return { ...Object.fromEntries(nothing), inertia: null, material };
 }
 
 /**
@@ -117,9 +120,9 @@ export function valuesOf(material, impact) {
  * @param {Impact} impact
  */
 export function contactBody(material, impact) {
-  const { radius_m, youngs_modulus_pa } = impact;
+  const { radius_m, youngs_modulus_pa, inertia } = impact;
   const byHand = Object.fromEntries(
-    Object.entries({ radius_m, youngs_modulus_pa }).filter(([, value]) => value !== null),
+    Object.entries({ radius_m, youngs_modulus_pa, inertia }).filter(([, value]) => value !== null),
   );
   const values = valuesOf(material, impact);
   return {

@@ -15,13 +15,13 @@ import { clamp, logScale, powerScale, relabelled, stepAbove } from "./scales.js"
 
 /**
  * What the horizontal axis is labelled with; what lies where does not change.
- * @typedef {{symbol: "kappa" | "alpha_kappa", scale: import("./scales.js").Scale}} HorizontalAxis
+ * @typedef {object} HorizontalAxis
+ * @property {"kappa" | "alpha_kappa"} symbol
+ * @property {number} [alpha] by which the paper's axis differs from κ
+ * @property {import("./scales.js").Scale} scale
  */
 
 /** @typedef {import("./parameters.js").Collision} Collision */
-
-/** α of homogeneous spheres, by which the paper's axis of Figs. 3 and 4 differs from κ. */
-const SOLID_ALPHA = 2 / 7;
 
 /**
  * The usual axes, where the paper draws Figs. 3 and 4, and how far they may reach for a collision
@@ -72,10 +72,13 @@ export function scaleFor(collision, options) {
 /**
  * @param {MapView} view
  * @param {HorizontalAxis["symbol"]} symbol
+ * @param {number} alpha of the bodies, for the axis of Figs. 3 and 4
  * @returns {HorizontalAxis}
  */
-export function horizontalAxis({ kappa }, symbol) {
-  return { symbol, scale: symbol === "kappa" ? kappa : relabelled(kappa, SOLID_ALPHA) };
+export function horizontalAxis({ kappa }, symbol, alpha) {
+  return symbol === "kappa"
+    ? { symbol, scale: kappa }
+    : { symbol, alpha, scale: relabelled(kappa, alpha) };
 }
 
 /**

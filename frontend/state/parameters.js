@@ -16,6 +16,9 @@ import { powerScale, logScale } from "./scales.js";
 
 /** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} Collision */
 
+/** α of homogeneous spheres, Eq. 12. */
+export const SOLID_ALPHA = 2 / 7;
+
 /** Number of steps of a slider, one for each press of an arrow key. */
 export const SLIDER_STEPS = 1000;
 
@@ -75,6 +78,24 @@ export const INITIAL_COLLISION = {
   gt_over_gn: PARAMETERS[2].initial,
   damping: PARAMETERS[3].initial,
 };
+
+/**
+ * A collision that is worked out from bodies, and their α, to the digits that the page shows: those
+ * beyond are rounding, and 2/7 stays 2/7.
+ * @param {Collision & {alpha: number}} answer
+ */
+export function carriedOver({ alpha, ...answer }) {
+  const collision = Object.fromEntries(PARAMETERS.map(({ key }) => [key, rounded(answer[key])]));
+  return {
+    collision: /** @type {Collision} */ (collision),
+    alpha: rounded(alpha) === rounded(SOLID_ALPHA) ? SOLID_ALPHA : rounded(alpha),
+  };
+}
+
+/** @param {number} value */
+function rounded(value) {
+  return Number(value.toPrecision(12));
+}
 
 /**
  * The number a text stands for, or null where the parameter does not admit it.

@@ -2,8 +2,8 @@
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
-import { IMPACT_PARAMETERS, impactOf } from "./impact.js";
-import { PARAMETERS, parseNumber, parseParameter } from "./parameters.js";
+import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
+import { PARAMETERS, parseNumber, parseParameter, SOLID_ALPHA } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
@@ -50,6 +50,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * What the page shows; it stands in the address bar in full.
  * @typedef {object} PageState
  * @property {import("./parameters.js").Collision} collision
+ * @property {number} alpha of the bodies behind it: it labels the axis ακ, no more
  * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the axes of map and cut
@@ -98,7 +99,11 @@ export function readAddress(search) {
   words.scene = own?.[0] ?? words.scene;
   const accuracy = readAccuracy(query, problems);
   const impact = readImpact(query, problems);
-  return { state: /** @type {PageState} */ ({ collision, accuracy, impact, ...words }), problems };
+  const alpha = readAlpha(query, problems);
+  return {
+    state: /** @type {PageState} */ ({ collision, alpha, accuracy, impact, ...words }),
+    problems,
+  };
 }
 
 /**
@@ -106,7 +111,8 @@ export function readAddress(search) {
  * @param {string[]} problems to which those of it are added
  */
 function readImpact(query, problems) {
-  const impact = impactOf(query.get("material") ?? USUAL_MATERIAL);
+  const inertia = query.has("inertia") ? readWord(query, "inertia", INERTIAS, problems) : null;
+  const impact = { ...impactOf(query.get("material") ?? USUAL_MATERIAL), inertia };
   for (const parameter of IMPACT_PARAMETERS) {
     const text = query.get(parameter.key);
     const value = text === null ? null : parseParameter(parameter, text);
@@ -118,6 +124,20 @@ function readImpact(query, problems) {
     impact[parameter.key] = value;
   }
   return impact;
+}
+
+/**
+ * @param {URLSearchParams} query
+ * @param {string[]} problems to which that of it is added
+ */
+function readAlpha(query, problems) {
+  const text = query.get("alpha");
+  const value = text === null ? SOLID_ALPHA : parseNumber(text);
+  if (value !== null && value > 0 && value <= 1) {
+    return value;
+  }
+  problems.push(`α must be greater than 0, at most 1, not “${shortened(text ?? "")}”`);
+  return SOLID_ALPHA;
 }
 
 /**
@@ -159,7 +179,7 @@ function readWord(query, key, allowed, problems) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, accuracy, impact, ...words }) {
+export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     // What is not damped says nothing of damping.
@@ -169,6 +189,9 @@ export function writeAddress({ collision, accuracy, impact, ...words }) {
   }
   for (const key of WORD_KEYS) {
     query.set(key, words[key]);
+  }
+  if (alpha !== SOLID_ALPHA) {
+    query.set("alpha", String(alpha));
   }
   for (const [key, usual] of Object.entries(USUAL_ACCURACY)) {
     const value = accuracy[/** @type {keyof typeof accuracy} */ (key)];

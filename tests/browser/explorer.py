@@ -16,6 +16,16 @@ SETTLED_SECONDS = 10
 
 PARAMETERS = {"kappa": "kappa", "mu-over-alpha": "mu_over_alpha", "gt-over-gn": "gt_over_gn"}
 
+IMPACT_PARAMETERS = {
+    "normal-velocity-m-s": "normal_velocity_m_s",
+    "tangential-velocity-m-s": "tangential_velocity_m_s",
+    "radius-m": "radius_m",
+    "youngs-modulus-pa": "youngs_modulus_pa",
+    "friction-coefficient": "friction_coefficient",
+    "tangential-stiffness-n-per-m": "tangential_stiffness_n_per_m",
+    "dissipative-constant-s": "dissipative_constant_s",
+}
+
 ACCURACY = ("method", "tolerance", "steps", "integrator", "rtol")
 
 SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
@@ -49,6 +59,25 @@ def ask(server: str, call: str, **parameters: object) -> dict:
         return json.load(answer)
 
 
+def post(server: str, call: str, body: dict) -> dict:
+    request = urllib.request.Request(
+        f"{server}/api/v1/{call}", json.dumps(body).encode(), {"Content-Type": "application/json"}
+    )
+    with urllib.request.urlopen(request) as answer:
+        return json.load(answer)
+
+
+def materials(server: str) -> dict[str, dict]:
+    with urllib.request.urlopen(f"{server}/api/v1/materials") as answer:
+        return {item["id"]: item for item in json.load(answer)["items"]}
+
+
+def body_of(material: dict, **impact: float) -> dict:
+    names = ["body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m"]
+    chosen = {name: material[name] for name in [*names, "dissipative_constant_s"]}
+    return chosen | {"impact": material["impact"] | impact}
+
+
 def accuracy_of(page: Page) -> dict[str, str]:
     """How ε_t is to be got, as the address bar and the API name it; nothing for the usual way."""
     query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
@@ -69,6 +98,49 @@ def agrees(page: Page, server: str) -> bool:
         and text(page, "reversals") == str(answer["reversals"])
         and text(page, "summary") == answer["summary"]
     )
+
+
+def strip_of(page: Page) -> dict[str, object]:
+    return {
+        "epsilon_t": number(text(page, "epsilon-t")),
+        "switches": text(page, "switches"),
+        "reversals": text(page, "reversals"),
+        "energy lost": text(page, "energy-lost"),
+        "contact duration": number(text(page, "contact-duration")),
+        "psi": number(text(page, "psi")),
+        "summary": text(page, "summary"),
+    }
+
+
+def strip_for(answer: dict) -> dict[str, object]:
+    psi = answer["parameters"]["psi"]
+    return {
+        "epsilon_t": four_digits(answer["epsilon_t"]),
+        "switches": str(answer["switches"]),
+        "reversals": str(answer["reversals"]),
+        "energy lost": percentage(answer["energy"]),
+        "contact duration": four_digits(answer["contact_duration"]),
+        "psi": float("inf") if psi is None else four_digits(psi),
+        "summary": answer["summary"],
+    }
+
+
+def four_digits(value: float) -> float:
+    return float(f"{value:.4g}")
+
+
+def percentage(energy: dict[str, float]) -> str:
+    share = energy["dissipated"] / energy["initial"] if energy["initial"] > 0 else 0.0
+    percent = 100 * share
+    if share in {0.0, 1.0}:
+        digits = f"{percent:.0f}"
+    elif percent < 0.05:
+        digits = "< 0.1"
+    elif percent >= 99.95:
+        digits = "> 99.9"
+    else:
+        digits = f"{percent:.1f}"
+    return f"{digits}\u202f%"
 
 
 def settle(page: Page, server: str) -> None:
@@ -105,6 +177,7 @@ class Witness:
         self.words: list[str] = []
         self.strangers: list[str] = []
         self.calls: list[tuple[str, dict[str, str]]] = []
+        self.posted: list[tuple[str, dict]] = []
         self._server = server
         page.on("console", lambda message: self.words.append(message.text))
         page.on("pageerror", lambda error: self.words.append(str(error)))
@@ -116,7 +189,10 @@ class Witness:
         address = urllib.parse.urlsplit(request.url)
         if address.path.startswith("/api/v1/"):
             query = dict(urllib.parse.parse_qsl(address.query))
-            self.calls.append((address.path.removeprefix("/api/v1/"), query))
+            call = address.path.removeprefix("/api/v1/")
+            self.calls.append((call, query))
+            if request.method == "POST":
+                self.posted.append((call, request.post_data_json))
 
     def last(self, call: str) -> dict[str, str] | None:
         """The query of the last request to `/api/v1/<call>`."""

@@ -4,7 +4,7 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from explorer import PARAMETERS, collision_of, settle, text
+from explorer import IMPACT_PARAMETERS, PARAMETERS, collision_of, settle, text
 from playwright.sync_api import BrowserContext, Page, Route, expect
 
 pytestmark = pytest.mark.browser
@@ -47,6 +47,7 @@ KEYS = [
 SIZES = [(320, 568), (390, 844), (568, 320), (820, 1180), (1440, 900), (1920, 1080), (3840, 2160)]
 OPTIONS = ["map", "scale", "embed", "scene", "theme", "tolerance", "method", "__proto__", "x"]
 OPTIONS += ["steps", "rtol", "integrator", "region", "statistic", "wanted_error"]
+OPTIONS += ["alpha", "material", "inertia", "velocity_law", *IMPACT_PARAMETERS.values()]
 
 # What a browser says of a request that was cut off, or of WebGL without a graphics card, is no
 # fault of the page.
@@ -187,14 +188,17 @@ def keep_in(context: BrowserContext, server: str) -> list[str]:
 
 
 @pytest.mark.parametrize(
-    ("count", "seed"),
+    ("scene", "count", "seed"),
     [
-        (250, SEED),
-        pytest.param(2000, SEED + 1, marks=pytest.mark.verify),
-        pytest.param(2000, SEED + 2, marks=pytest.mark.verify),
+        ("explorer", 250, SEED),
+        ("spheres", 150, SEED),
+        pytest.param("explorer", 2000, SEED + 1, marks=pytest.mark.verify),
+        pytest.param("spheres", 2000, SEED + 2, marks=pytest.mark.verify),
     ],
 )
-def test_a_monkey_leaves_a_page_that_works(page: Page, server: str, count: int, seed: int):
+def test_a_monkey_leaves_a_page_that_works(
+    page: Page, server: str, scene: str, count: int, seed: int
+):
     words, dialogs = [], []
     page.on("pageerror", lambda error: words.append(f"{error} {error.stack}"))
     page.on(
@@ -205,7 +209,7 @@ def test_a_monkey_leaves_a_page_that_works(page: Page, server: str, count: int, 
     page.on("popup", lambda popup: popup.close())
     page.add_init_script("window.broken = 0")
     calls = keep_in(page.context, server)
-    page.goto("/")
+    page.goto(f"/?scene={scene}")
     settle(page, server)
     monkey = Monkey(page, server, seed)
     try:

@@ -1,40 +1,31 @@
 """The scene of real spheres: in SI units, answered by the API, linked to all the rest."""
 
-import json
 import urllib.parse
-import urllib.request
 from pathlib import Path
 
 import pytest
-from explorer import collision_of, eventually, number, settle, text, trace_of
+from explorer import (
+    body_of,
+    collision_of,
+    eventually,
+    materials,
+    number,
+    post,
+    settle,
+    text,
+    trace_of,
+)
 from playwright.sync_api import Page, expect
 
 pytestmark = pytest.mark.browser
 
 
-def post(server: str, call: str, body: dict) -> dict:
-    request = urllib.request.Request(
-        f"{server}/api/v1/{call}", json.dumps(body).encode(), {"Content-Type": "application/json"}
-    )
-    with urllib.request.urlopen(request) as answer:
-        return json.load(answer)
-
-
-def materials(server: str) -> dict[str, dict]:
-    with urllib.request.urlopen(f"{server}/api/v1/materials") as answer:
-        return {item["id"]: item for item in json.load(answer)["items"]}
-
-
-def body_of(material: dict, **impact: float) -> dict:
-    names = ["body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m"]
-    chosen = {name: material[name] for name in [*names, "dissipative_constant_s"]}
-    return chosen | {"impact": material["impact"] | impact}
-
-
 def shows(page: Page, answer: dict) -> None:
     """The strip, the table of the impact and the address agree with an answer of `/scaling`."""
     assert number(text(page, "epsilon-t")) == float(f"{answer['epsilon_t']:.4g}")
-    assert collision_of(page)["kappa"] == pytest.approx(answer["kappa"], rel=1e-12)
+    # what the page carries over has twelve digits, and no hidden ones
+    for name, value in collision_of(page).items():
+        assert value == float(f"{answer[name]:.12g}")
     terms = page.get_by_test_id("impact-result").locator("dt").all_inner_texts()
     values = page.get_by_test_id("impact-result").locator("dd").all_inner_texts()
     shown = dict(zip(terms, values, strict=True))
@@ -79,6 +70,7 @@ def test_the_crosshair_sets_both_velocities(page: Page, server: str):
 
     def moved() -> None:
         query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
+        assert "tangential_velocity_m_s" in query
         assert float(query["normal_velocity_m_s"][0]) == pytest.approx(2.5, abs=0.05)
         assert float(query["tangential_velocity_m_s"][0]) == pytest.approx(2.5, abs=0.05)
 
@@ -124,3 +116,79 @@ def test_a_file_of_what_was_posted_can_be_had(page: Page, tmp_path: Path):
 def test_warnings_say_where_the_model_is_left(page: Page):
     page.goto("/?scene=spheres&material=steel")
     expect(page.get_by_test_id("impact-warnings")).to_contain_text("Mindlin")
+
+
+def test_mindlins_stiffness_can_be_set_by_hand_and_had_back(page: Page, server: str):
+    page.goto("/?scene=spheres&material=alumina-on-glass")
+    material = materials(server)["alumina-on-glass"]
+    field = page.get_by_test_id("tangential-stiffness-n-per-m-field")
+    reset = page.get_by_test_id("tangential-stiffness-n-per-m-reset")
+    mindlins = post(server, "scaling", body_of(material))
+    eventually(lambda: shows(page, mindlins), page)
+    assert float(field.input_value()) == pytest.approx(
+        mindlins["tangential_stiffness_n_per_m"], rel=5e-4
+    )
+    expect(reset).to_be_disabled()
+    field.fill("1e8")
+    field.press("Enter")
+    stiff = post(server, "scaling", body_of(material) | {"tangential_stiffness_n_per_m": 1e8})
+    eventually(lambda: shows(page, stiff), page)
+    reset.click()
+    eventually(lambda: shows(page, mindlins), page)
+    assert "tangential_stiffness" not in page.url
+
+
+def test_hollow_spheres_give_the_paper_axis_their_alpha(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel&map_x=alpha_kappa")
+    expect(page.get_by_test_id("impact-result")).to_contain_text("2/7")
+    page.get_by_test_id("inertia").locator("[value=hollow]").check()
+    material = materials(server)["steel"]
+    hollow = {name: material[name] | {"inertia": "hollow"} for name in ("body_1", "body_2")}
+    answer = post(server, "scaling", body_of(material) | hollow)
+    assert answer["alpha"] == pytest.approx(0.4)
+    eventually(lambda: shows(page, answer), page)
+
+    def alpha_on_axis(text: str) -> None:
+        title = page.get_by_test_id("map").locator(".xtitle")
+        assert title.text_content() == text
+
+    page.get_by_test_id("scenes").get_by_text("Explorer").click()
+    eventually(lambda: alpha_on_axis("ακ with α = 0.4"), page)
+    assert "&alpha=0.4" in page.url
+    page.reload()
+    eventually(lambda: alpha_on_axis("ακ with α = 0.4"), page)
+    page.get_by_test_id("alpha-reset").click()
+    eventually(lambda: alpha_on_axis("ακ with α = 2/7, solid spheres"), page)
+    expect(page.get_by_test_id("alpha-reset")).to_be_hidden()
+    assert "alpha=" not in page.url.replace("mu_over_alpha=", "")
+    page.go_back()
+    eventually(lambda: alpha_on_axis("ακ with α = 0.4"), page)
+    page.get_by_test_id("presets").get_by_text("Gear wheel").click()
+    eventually(lambda: alpha_on_axis("ακ with α = 2/7, solid spheres"), page)
+
+
+def test_back_from_the_explorer_the_impact_stands_in_the_strip_again(page: Page, server: str):
+    page.goto("/?scene=spheres&material=glass-on-glass")
+    answer = post(server, "scaling", body_of(materials(server)["glass-on-glass"]))
+    eventually(lambda: shows(page, answer), page)
+    page.get_by_test_id("scenes").get_by_text("Explorer").click()
+    page.get_by_test_id("presets").get_by_text("Gear wheel").click()
+    settle(page, server)
+    page.get_by_test_id("scenes").get_by_text("Real spheres").click()
+    eventually(lambda: shows(page, answer), page)
+
+
+def test_an_impact_that_is_refused_is_not_shown_as_another(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel")
+    answer = post(server, "scaling", body_of(materials(server)["steel"]))
+    eventually(lambda: shows(page, answer), page)
+    field = page.get_by_test_id("radius-m-field")
+    field.fill("1e-300")
+    field.press("Enter")
+    expect(page.get_by_test_id("impact-refusal")).to_contain_text("Not this one")
+    expect(page.get_by_test_id("impact-result")).to_be_hidden()
+    expect(page.get_by_test_id("result")).to_have_attribute("data-stale", "")
+    field.fill("0.02")
+    field.press("Enter")
+    eventually(lambda: shows(page, answer), page)
+    expect(page.get_by_test_id("impact-refusal")).to_be_empty()

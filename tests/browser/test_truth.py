@@ -8,9 +8,9 @@ from explorer import (
     ask,
     collision_of,
     eventually,
-    number,
     settle,
-    text,
+    strip_for,
+    strip_of,
     trace_of,
 )
 from playwright.sync_api import Page
@@ -149,49 +149,6 @@ def on_axes(page: Page, asked: dict[str, float]) -> dict[str, float]:
         "mu_over_alpha": 1.0,
         "gt_over_gn": asked["gt_over_gn"] / asked["mu_over_alpha"],
     }
-
-
-def strip_of(page: Page) -> dict[str, object]:
-    return {
-        "epsilon_t": number(text(page, "epsilon-t")),
-        "switches": text(page, "switches"),
-        "reversals": text(page, "reversals"),
-        "energy lost": text(page, "energy-lost"),
-        "contact duration": number(text(page, "contact-duration")),
-        "psi": number(text(page, "psi")),
-        "summary": text(page, "summary"),
-    }
-
-
-def strip_for(answer: dict) -> dict[str, object]:
-    psi = answer["parameters"]["psi"]
-    return {
-        "epsilon_t": four_digits(answer["epsilon_t"]),
-        "switches": str(answer["switches"]),
-        "reversals": str(answer["reversals"]),
-        "energy lost": percentage(answer["energy"]),
-        "contact duration": four_digits(answer["contact_duration"]),
-        "psi": float("inf") if psi is None else four_digits(psi),
-        "summary": answer["summary"],
-    }
-
-
-def four_digits(value: float) -> float:
-    return float(f"{value:.4g}")
-
-
-def percentage(energy: dict[str, float]) -> str:
-    share = energy["dissipated"] / energy["initial"] if energy["initial"] > 0 else 0.0
-    percent = 100 * share
-    if share in {0.0, 1.0}:
-        digits = f"{percent:.0f}"
-    elif percent < 0.05:
-        digits = "< 0.1"
-    elif percent >= 99.95:
-        digits = "> 99.9"
-    else:
-        digits = f"{percent:.1f}"
-    return f"{digits}\u202f%"
 
 
 def assert_traces(page: Page, server: str, witness: Witness, asked: dict[str, float]) -> None:

@@ -54,8 +54,8 @@ def _compression(at: Scales) -> Caution | None:
         return None
     return Caution(
         "compression",
-        f"the bodies are compressed by {100 * share:.3g} % of the smaller radius; Hertz's law is "
-        "for small compressions, up to about 5 %",
+        f"the bodies are compressed by {_short(100 * share)} % of the smaller radius; "
+        "Hertz's law is for small compressions, up to about 5 %",
     )
 
 
@@ -73,8 +73,8 @@ def _plastic_flow(contact: Contact, at: Scales) -> Caution | None:
         return None
     return Caution(
         "plastic_flow",
-        f"the pressure reaches {pressure:.3g} Pa, {pressure / weakest:.3g} times the yield stress; "
-        "from 1.6 times on the material flows, which the model does not know",
+        f"the pressure reaches {_short(pressure)} Pa, {_short(pressure / weakest)} times the yield "
+        "stress; from 1.6 times on the material flows, which the model does not know",
     )
 
 
@@ -85,7 +85,7 @@ def _turning_normal(at: Scales, crossing_velocity: float) -> Caution | None:
         return None
     return Caution(
         "oblique",
-        f"the normal turns by {turn:.3g} rad during the contact, so oblique is the impact; the "
+        f"the normal turns by {_short(turn)} rad during the contact, so oblique is the impact; the "
         "model keeps it fixed",
     )
 
@@ -97,6 +97,12 @@ def _stiffness(at: Scales) -> Caution | None:
         return None
     return Caution(
         "tangential_stiffness",
-        f"the tangential stiffness is {ratio:.3g} times that of smooth elastic bodies at the "
-        f"largest compression (Mindlin), {mindlin:.4g} N/m",
+        f"the tangential stiffness is {_short(ratio)} times that of smooth elastic bodies at the "
+        f"largest compression (Mindlin), {_short(mindlin)} N/m",
     )
+
+
+def _short(value: float) -> str:
+    """Return three digits as they are written by hand: 2,480, or 4.03e8."""
+    mantissa, _, power = f"{float(f'{value:.3g}'):,g}".partition("e")
+    return f"{mantissa}e{int(power)}" if power else mantissa

@@ -25,9 +25,9 @@ function viewOf(scale) {
   return mapView(AT, { scale, map_y: "gt_over_gn" });
 }
 
-function figure(quantity, scale, symbol = "kappa") {
+function figure(quantity, scale, symbol = "kappa", alpha = 2 / 7) {
   const view = viewOf(scale);
-  const horizontal = horizontalAxis(view, symbol);
+  const horizontal = horizontalAxis(view, symbol, alpha);
   return mapFigure({ grid: GRID, view, horizontal, quantity }, THEME, SIZE);
 }
 
@@ -56,6 +56,13 @@ test("mapFigure relabels the horizontal axis and leaves the picture", () => {
   assert.deepEqual(kappa.data, paper.data);
   const at20 = paper.layout.xaxis.ticktext.indexOf("20");
   assert.ok(Math.abs(paper.layout.xaxis.tickvals[at20] - 1) < 1e-12);
+});
+
+test("mapFigure says in words whose α the axis ακ has", () => {
+  const title = (...axis) => figure("epsilon_t", "linear", ...axis).layout.xaxis.title.text;
+  assert.equal(title("alpha_kappa"), "<i>ακ</i> with <i>α</i> = 2/7, solid spheres");
+  assert.equal(title("alpha_kappa", 0.4), "<i>ακ</i> with <i>α</i> = 0.4");
+  assert.equal(title("kappa", 0.4), "<i>κ</i>");
 });
 
 test("mapFigure gives counts one colour for each pair of switches", () => {

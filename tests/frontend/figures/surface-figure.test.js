@@ -18,7 +18,7 @@ const GRID = {
 
 function figure(place = null, quantity = "epsilon_t") {
   const view = mapView(AT, { scale: "linear", map_y: "gt_over_gn" });
-  const horizontal = horizontalAxis(view, "kappa");
+  const horizontal = horizontalAxis(view, "kappa", 2 / 7);
   return surfaceFigure({ grid: GRID, view, horizontal, quantity, place }, THEME, SIZE);
 }
 

@@ -65,7 +65,7 @@ test("errorMapFigure shows powers of ten, the lowest for none, and nothing for w
   );
   const errors = [Float64Array.of(0, -1e-3), Float64Array.of(NaN, 0.1)];
   const figure = errorMapFigure(
-    { errors, view, horizontal: horizontalAxis(view, "kappa") },
+    { errors, view, horizontal: horizontalAxis(view, "kappa", 2 / 7) },
     THEME,
     SIZE,
   );

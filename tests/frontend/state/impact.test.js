@@ -36,6 +36,10 @@ test("what is set by hand holds for both spheres, and leaves a wall alone", () =
   assert.equal(body.body_1.radius_m, 0.1);
   assert.equal(body.body_2.radius_m, 0.1);
   assert.equal(body.tangential_stiffness_n_per_m, 1e6);
+  assert.equal(
+    contactBody(STEEL, { ...impactOf("steel"), inertia: "hollow" }).body_2.inertia,
+    "hollow",
+  );
   const wall = { wall: true, youngs_modulus_pa: 7e10, poisson_ratio: 0.25 };
   assert.deepEqual(contactBody({ ...STEEL, body_2: wall }, impact).body_2, wall);
 });

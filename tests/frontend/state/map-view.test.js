@@ -11,6 +11,7 @@ import {
   placeOnMap,
   sameView,
 } from "../../../frontend/state/map-view.js";
+import { SOLID_ALPHA } from "../../../frontend/state/parameters.js";
 import { seeded } from "../random.js";
 
 const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
@@ -92,9 +93,10 @@ test("without friction the collision stands at the upper end of the ψ axis", ()
 
 test("horizontalAxis gives the same places other numbers, 18 where κ is 63", () => {
   const view = mapView(AT, LINEAR);
-  assert.equal(horizontalAxis(view, "kappa").scale, view.kappa);
-  const paper = horizontalAxis(view, "alpha_kappa").scale;
+  assert.equal(horizontalAxis(view, "kappa", SOLID_ALPHA).scale, view.kappa);
+  const paper = horizontalAxis(view, "alpha_kappa", SOLID_ALPHA).scale;
   assert.ok(Math.abs(paper.toShare(18) - view.kappa.toShare(63)) < 1e-12);
   assert.ok(Math.abs(paper.fromShare(view.kappa.toShare(63)) - 18) < 1e-12);
   assert.ok(Math.abs(paper.max - 20) < 1e-12);
+  assert.ok(Math.abs(horizontalAxis(view, "alpha_kappa", 0.4).scale.max - 28) < 1e-12);
 });

@@ -2,8 +2,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
+  carriedOver,
   PARAMETERS,
   parseParameter,
+  SOLID_ALPHA,
   SLIDER_STEPS,
   sliderStep,
   valueAtStep,
@@ -21,6 +23,27 @@ test("scales lead from a value to its share and back", () => {
     assert.ok(Math.abs(scale.toShare(scale.min)) < 1e-15);
     assert.equal(scale.toShare(scale.max), 1);
   }
+});
+
+test("carriedOver leaves out the digits that are rounding, and keeps 2/7", () => {
+  const answer = {
+    kappa: 4.7156432198765,
+    mu_over_alpha: 1.4000000000000001,
+    gt_over_gn: 0.1 + 0.2,
+    damping: 1e-300 / 3,
+    alpha: 0.28571428571428575,
+    epsilon_t: 0.5,
+  };
+  assert.deepEqual(carriedOver(answer), {
+    collision: {
+      kappa: 4.71564321988,
+      mu_over_alpha: 1.4,
+      gt_over_gn: 0.3,
+      damping: 3.33333333333e-301,
+    },
+    alpha: SOLID_ALPHA,
+  });
+  assert.equal(carriedOver({ ...answer, alpha: 0.4 + 1e-16 }).alpha, 0.4);
 });
 
 test("valueAtStep gives at every step of a slider a value the parameter admits, and ever greater ones", () => {

@@ -3,12 +3,13 @@ import { test } from "node:test";
 
 import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
 import { impactOf } from "../../../frontend/state/impact.js";
-import { INITIAL_COLLISION } from "../../../frontend/state/parameters.js";
+import { INITIAL_COLLISION, SOLID_ALPHA } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
 const USUAL = {
   collision: INITIAL_COLLISION,
+  alpha: SOLID_ALPHA,
   accuracy: USUAL_ACCURACY,
   map: "epsilon_t",
   scale: "linear",
@@ -32,6 +33,7 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
     const [kappa, mu_over_alpha, gt_over_gn] = numbers.slice(i, i + 3);
     const state = {
       collision: { kappa, mu_over_alpha, gt_over_gn, damping: i % 2 ? 0 : kappa },
+      alpha: i % 4 ? SOLID_ALPHA : 0.4,
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
       map_x: i % 5 ? "kappa" : "alpha_kappa",
@@ -54,6 +56,7 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       velocity_law: ["epsilon_t", "coulomb"][i % 2],
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
+        inertia: i % 8 > 3 ? null : "hollow",
         radius_m: i % 4 > 1 ? kappa : null,
       },
     };
@@ -87,6 +90,17 @@ test("readAddress judges the numbers of the methods by their own ranges", () => 
   const { state, problems } = readAddress("?steps=3&rtol=1e-3&tolerance=2&method=magic");
   assert.deepEqual(state.accuracy, { ...USUAL_ACCURACY, rtol: 1e-3 });
   assert.equal(problems.length, 3);
+});
+
+test("α stands in the address only where it is not 2/7, and nonsense becomes 2/7", () => {
+  const usual = readAddress("").state;
+  assert.doesNotMatch(writeAddress(usual), /[?&]alpha=/);
+  assert.match(writeAddress({ ...usual, alpha: 0.4 }), /&alpha=0\.4(&|$)/);
+  for (const text of ["0", "-1", "1.1", "NaN", "two sevenths"]) {
+    const { state, problems } = readAddress(`?alpha=${text}`);
+    assert.equal(state.alpha, SOLID_ALPHA);
+    assert.match(problems[0], /^α must be greater than 0, at most 1/);
+  }
 });
 
 test("readAddress brings the scene of a panel that stands alone", () => {
