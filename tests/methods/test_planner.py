@@ -29,6 +29,17 @@ def test_auto_does_without_the_exact_method_where_the_stiff_limit_will_do():
     assert list(answer.method) == ["stiff", "stiff", "exact"]
 
 
+def test_auto_does_without_the_exact_method_where_energy_bounds_a_damped_collision():
+    kappa, psi = np.geomspace(1e3, 1e7, 60), np.geomspace(0.05, 3, 60)
+    rough = solve(kappa, psi, ("epsilon_t",), tolerance=4e-3, damping=0.05)
+    fine = solve(kappa, psi, ("epsilon_t", "switches"), damping=0.05)
+    assert {"coulomb", "exact"} == set(rough.method)
+    followed = fine.method == "exact"
+    assert np.all(rough.error_bound[followed] <= 4e-3)
+    off = np.abs(rough.epsilon_t - fine.epsilon_t)
+    assert np.all(off <= rough.error_bound + fine.error_bound)
+
+
 def screen_map(kappas):
     """κ and ψ of a map of 200 × 150 with the page's g_t/g_n at μ/α = 1.4."""
     grid = np.meshgrid(kappas, np.linspace(0.01, 4, 150) / 1.4)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Collection
 import numpy as np
 
 from restitution.errors import ParameterError
-from restitution.mechanics.collision import TOO_STIFF
+from restitution.mechanics.collision import TOO_STIFF, Collision
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_limit
 from restitution.methods import coulomb, exact, ode, stiff, table, timestep
@@ -55,15 +55,34 @@ def solve(
             allowed = f"one of auto, {', '.join(METHODS)}"
             raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
-    if options.damping or not EPSILON_T_ALONE.issuperset(quantities):
-        fine = exact.follow_affordable(kappa, psi, options.damping, options.share)
-        # what is not followed is 0 within a bound, as Coulomb's law has it for so weak a slip
-        resort = "coulomb" if options.damping else "stiff"
-        method = np.where(fine.switches == TOO_STIFF, resort, "exact")
-        return Answer(
-            fine.epsilon_t, fine.error_bound, method, fine.switches, fine.switches_certain
-        )
-    return _cheapest(kappa, psi, options)
+    if not EPSILON_T_ALONE.issuperset(quantities):
+        return _named(exact.follow_affordable(kappa, psi, options.damping, options.share), options)
+    return (
+        _cheapest_damped(kappa, psi, options) if options.damping else _cheapest(kappa, psi, options)
+    )
+
+
+def _named(found: Collision, options: Options) -> Answer:
+    """Return collisions of which not all were followed as an answer.
+
+    The others are 0 within a bound, as Coulomb's law has it for so weak a slip.
+    """
+    resort = "coulomb" if options.damping else "stiff"
+    method = np.where(found.switches == TOO_STIFF, resort, "exact")
+    return Answer(
+        found.epsilon_t, found.error_bound, method, found.switches, found.switches_certain
+    )
+
+
+def _cheapest_damped(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
+    """Return ε_t of damped collisions (N,): 0 where energy bounds it so, else followed."""
+    # the limit of 0 switches leaves to be followed what slides from its first swing on
+    found = exact.follow(kappa, psi, options.damping, 0.0)
+    needed = np.flatnonzero(found.error_bound > options.tolerance)
+    fine = exact.follow_affordable(kappa[needed], psi[needed], options.damping, options.share)
+    for column, followed in zip(found, fine, strict=True):
+        column[needed] = followed
+    return _named(found, options)
 
 
 def _cheapest(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
