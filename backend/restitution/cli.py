@@ -165,6 +165,14 @@ def _summary(study: ScalingStudy) -> str:
 @click.option("--psi-count", type=click.IntRange(2), help="150 unless --error is given.")
 @click.option("--psi-scale", type=click.Choice(["linear", "log"]), default="log")
 @click.option(
+    "--damping",
+    type=(float, float),
+    default=(0.0, 0.0),
+    help="η as a third axis, or the same number twice for all entries; 0 0 by default.",
+)
+@click.option("--damping-count", type=click.IntRange(2), help="10 unless --error is given.")
+@click.option("--damping-scale", type=click.Choice(["linear", "log"]), default="linear")
+@click.option(
     "--error", type=click.FloatRange(1e-12, 1), help="Largest error of interpolation wanted."
 )
 @click.option("--sign", type=click.Choice(["paper", "reversed"]), default="paper")
@@ -178,28 +186,34 @@ def table(
     psi: tuple[float, float],
     psi_count: int | None,
     psi_scale: str,
+    damping: tuple[float, float],
+    damping_count: int | None,
+    damping_scale: str,
     error: float | None,
     sign: Sign,
     form: str,
     seconds: float,
     out: BinaryIO,
 ) -> None:
-    """Write ε_t over κ and ψ for another code, with its largest error of interpolation."""
-    if error is not None and (kappa_count or psi_count):
+    """Write ε_t over κ and ψ, or κ, ψ and η, for another code, with its error of interpolation."""
+    if error is not None and (kappa_count or psi_count or damping_count):
         raise click.UsageError("--error decides about the counts: leave them out")
-    axes = (
+    third: Axis | float = Axis(*damping, damping_count or 10, damping_scale, "damping ")
+    if damping[0] == damping[1]:
+        third = damping[0]
+    asked = (
         Axis(*kappa, kappa_count or 200, kappa_scale, "kappa "),
         Axis(*psi, psi_count or 150, psi_scale, "psi "),
+        sign,
+        third,
     )
     try:
         if error is None:
-            found = study_table(*axes, sign, seconds=seconds)
+            found = study_table(*asked, seconds=seconds)
         else:
-            found = study_table_within(error, *axes, sign, seconds=seconds)
+            found = study_table_within(error, *asked, seconds=seconds)
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
     out.write(bytes(formed(table_result(found), form, "plain").body))
-    click.echo(
-        f"{found.kappa.count} × {found.psi.count} entries, error at most {found.largest_error:.3g}",
-        err=True,
-    )
+    counts = " × ".join(str(count) for count in reversed(found.shape))
+    click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
