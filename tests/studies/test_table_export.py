@@ -9,7 +9,8 @@ from restitution.mechanics.collision import collide
 from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
 from restitution.studies.batch import study_batch
-from restitution.studies.table_export import DIGITS, SAFETY, study_table, study_table_within
+from restitution.studies.table_export import study_table, study_table_within
+from restitution.studies.table_grid import DIGITS, SAFETY
 
 SOLIDS = Axis(3.5, 5.7, 60, "log"), Axis(0.05, 2.0, 60, "log")
 FIGURE_4 = Axis(0.6, 70.0, 90, "log"), Axis(0.01, 2.0, 90, "log")

@@ -11,12 +11,8 @@ from restitution.api.schemas import TableQuery
 from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
 from restitution.studies.axis import Axis
-from restitution.studies.table_export import (
-    RestitutionTable,
-    TableGrid,
-    study_table,
-    study_table_within,
-)
+from restitution.studies.table_export import RestitutionTable, study_table, study_table_within
+from restitution.studies.table_grid import TableGrid
 
 MOST_SECONDS = 5.0
 """Of one core, for one request."""
