@@ -8,7 +8,7 @@ from pathlib import Path
 
 from distributed import Client, KilledWorker, LocalCluster, as_completed
 
-from restitution.errors import RestitutionError
+from restitution.errors import ParameterError, RestitutionError
 from restitution.export.zarr_store import Index, missing_chunks, open_store, write_chunk
 from restitution.studies.table_export import refuse_stiff, tabulated
 from restitution.studies.table_grid import Sign, TableGrid
@@ -115,6 +115,11 @@ def _written(client: Client, path: Path, missing: list[Index]) -> Iterator[None]
         except KilledWorker as error:
             raise RestitutionError(
                 f"workers died of one chunk again and again, perhaps for lack of memory: {error}"
+            ) from error
+        except (ParameterError, OSError) as error:
+            raise RestitutionError(
+                f"a worker could not write to {path}, which must be a path that every worker has: "
+                f"{error}"
             ) from error
         submit()
         yield

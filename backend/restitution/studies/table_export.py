@@ -186,7 +186,7 @@ def _refuse_costly(grid: TableGrid, nodes: Nodes | None, seconds: float) -> None
         raise CostError(
             f"this table of {_counts(grid)} would take about {expected:.2g} s of "
             f"one core; the limit is {seconds:g} s. Ask for a narrower range, softer collisions or "
-            "a larger error"
+            "a larger error, or have it computed by `restitution table --store`"
         )
 
 
