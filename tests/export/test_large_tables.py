@@ -13,11 +13,11 @@ import psutil
 import pytest
 import zarr
 from click.testing import CliRunner
-from distributed import Client, LocalCluster
+from distributed import Client
 
 from restitution.cli import main
 from restitution.errors import CostError, ParameterError, RestitutionError
-from restitution.export.on_dask import compute_table
+from restitution.export.on_dask import compute_table, local_cluster
 from restitution.export.zarr_store import (
     CHUNK_ENTRIES,
     chunk_shape,
@@ -43,15 +43,7 @@ SIGNS = pytest.mark.parametrize("sign", ["paper", "reversed"])
 
 @pytest.fixture(scope="module")
 def cluster():
-    """Two worker processes of one thread."""
-    with LocalCluster(
-        n_workers=2,
-        threads_per_worker=1,
-        processes=True,
-        memory_limit="1GiB",
-        dashboard_address=None,
-        silence_logs=50,
-    ) as started:
+    with local_cluster(2) as started:
         yield started
 
 
@@ -105,6 +97,20 @@ def test_store_is_the_table_computed_in_place(grid, sign, tmp_path, cluster):
     assert group["epsilon_t"].metadata.dimension_names == tuple(grid.axes)
     total = group["sampled_error"].size
     assert progress == [(done, total) for done in range(total + 1)]
+
+
+def test_nothing_of_a_local_cluster_is_open_to_other_machines(cluster):
+    with Client(cluster, set_as_default=False) as client:
+        pids = {os.getpid(), *client.run(os.getpid).values()}
+    listening = [
+        connection.laddr.ip
+        for pid in pids
+        for connection in psutil.Process(pid).net_connections("inet")
+        if connection.status == psutil.CONN_LISTEN
+    ]
+    # the scheduler, both workers, their nannies
+    assert len(listening) >= 5
+    assert set(listening) == {"127.0.0.1"}
 
 
 def test_killed_worker_leaves_no_trace(tmp_path, cluster, undisturbed):

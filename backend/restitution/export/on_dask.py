@@ -22,6 +22,8 @@ MEMORY = "1GiB"
 KEEP_OUT = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"
 """For workers: a terminal sends Ctrl-C to them, too, but closing them is for the program."""
 
+NOT_OUTSIDE = "127.0.0.1:0"
+
 
 def compute_table(
     path: Path,
@@ -83,18 +85,27 @@ def _client(scheduler: str | None, workers: int | None) -> Iterator[Client]:
             yield client
         return
     with (
-        LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            memory_limit=MEMORY,
-            dashboard_address=None,
-            silence_logs=logging.ERROR,
-            preload=KEEP_OUT,
-        ) as cluster,
+        local_cluster(workers) as cluster,
         Client(cluster, set_as_default=False) as client,
     ):
         yield client
+
+
+def local_cluster(workers: int | None = None) -> LocalCluster:
+    """Return so many worker processes of one thread on this machine, by default one for each core.
+
+    Nothing of it can be reached from outside: without addresses its web pages would be open to all.
+    """
+    return LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        memory_limit=MEMORY,
+        dashboard_address=NOT_OUTSIDE,
+        worker_dashboard_address=NOT_OUTSIDE,
+        silence_logs=logging.ERROR,
+        preload=KEEP_OUT,
+    )
 
 
 def _written(client: Client, path: Path, missing: list[Index]) -> Iterator[None]:

@@ -10,6 +10,7 @@ from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES, PART, workers
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import sliding_threshold
+from restitution.mechanics.viscoelastic import normal_contact
 from restitution.methods.exact import DEARER_BY_DAMPING, cost, expected_counts, follow
 from restitution.studies.axis import Axis
 from restitution.studies.table_grid import DIGITS, SAMPLED, Nodes, Sign, TableGrid, between
@@ -145,14 +146,21 @@ def tabulated(
 
 def refuse_stiff(nodes: Nodes) -> None:
     """Raise `CostError` if a collision at the nodes has too many switches to be followed."""
-    etas, psis, kappas = nodes.values
+    _, psis, kappas = nodes.values
     # they are most for the largest κ
     kappa = np.full(psis.shape, kappas[-1])
-    if any(np.any(expected_counts(kappa, psis, eta) > MOST_SWITCHES) for eta in etas.tolist()):
+    counts = [expected_counts(kappa, psis, eta) for eta in _few_dampings(nodes)]
+    if any(np.any(count > MOST_SWITCHES) for count in counts):
         raise CostError(
             f"some collisions of this table have more than {MOST_SWITCHES:,} switches, the "
             "limit. Ask for softer ones"
         )
+
+
+def _few_dampings(nodes: Nodes) -> list[float]:
+    """Return values of η that stand for all, of which each would take a normal motion."""
+    etas = nodes.values[0]
+    return sorted({float(etas[0]), float(etas[etas.size // 2]), float(etas[-1])})
 
 
 def _counts(grid: TableGrid) -> str:
@@ -178,10 +186,11 @@ def _refuse_costly(grid: TableGrid, nodes: Nodes | None, seconds: float) -> None
     expected = _least_seconds(grid)
     if nodes is not None and expected <= seconds:
         refuse_stiff(nodes)
-        etas, psis, kappas = nodes.values
+        _, psis, kappas = nodes.values
         columns, rows = (values.ravel() for values in np.meshgrid(kappas, psis))
-        each = sum(cost(columns, rows, eta) for eta in etas.tolist())
-        expected = (1 + len(SAMPLED)) * each
+        few = _few_dampings(nodes)
+        plane = sum(cost(columns, rows, eta) for eta in few) / len(few)
+        expected = max(expected, (1 + len(SAMPLED)) * plane * nodes.values[0].size)
     if expected > seconds:
         raise CostError(
             f"this table of {_counts(grid)} would take about {expected:.2g} s of "
@@ -229,6 +238,9 @@ def _exact(nodes: Nodes, threads: ThreadPoolExecutor | None) -> tuple[FloatArray
             flat[part] = found.epsilon_t
             return float(found.error_bound.max())
 
+        if eta:
+            # kept, or else every thread would prepare it
+            normal_contact(eta)
         parts = [slice(i, min(i + PART, flat.size)) for i in range(0, flat.size, PART)]
         bounds = threads.map(fill, parts) if threads else map(fill, parts)
         bound = max(bound, *bounds)
