@@ -185,7 +185,7 @@ def _summary(study: ScalingStudy) -> str:
 @click.option(
     "--store",
     type=click.Path(file_okay=False, path_type=Path),
-    help="Zarr store for a large table, computed on Dask; continued if it is there.",
+    help="Zarr store for a large table, computed on Dask (extra `cluster`); continued if there.",
 )
 @click.option("--scheduler", help="Address of a Dask scheduler; this machine's cores by default.")
 @click.option("--workers", type=click.IntRange(1), help="Processes on this machine, for --store.")

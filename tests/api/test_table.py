@@ -95,6 +95,16 @@ def test_damping_is_a_third_axis_with_kappa_fastest(service):
         assert arrays["damping_scale"] == "linear"
 
 
+def test_grid_is_chosen_for_an_error_in_three_parameters(service):
+    # the request of docs/event-driven.md
+    ranges = {"kappa_min": 3, "kappa_max": 6, "psi_min": 0.05, "psi_max": 2, "damping_max": 0.5}
+    response = service.get("/table", **ranges, error=0.1, format="npz")
+    assert response.status_code == 200, response.text
+    with np.load(io.BytesIO(response.content)) as arrays:
+        assert arrays["largest_error"] <= 0.1
+        assert arrays["damping"].size >= 4
+
+
 def test_damping_may_be_one_number(service):
     response = service.get("/table", **SMALL, damping=0.3, format="npz")
     third = {"damping_min": 0, "damping_max": 0.3, "damping_count": 3}

@@ -99,5 +99,6 @@ def description(table: RestitutionTable) -> list[str]:
         f"({table.safety:g} times the largest at {len(SAMPLED)} points of every cell, none of them",
         "an entry: measured, not proven).",
         f"Below psi = {psi.minimum:g} the value at {psi.minimum:g} stands, without that statement;",
-        f"{above.format(psi.maximum)}; {outside} not a number.",
+        f"{above.format(psi.maximum)};",
+        f"{outside} not a number.",
     ]

@@ -102,11 +102,11 @@ def study_table_within(
     """
     third = replace(damping, count=FEWEST_DAMPINGS) if isinstance(damping, Axis) else damping
     grid = TableGrid(replace(kappa, count=FEWEST), replace(psi, count=FEWEST), third)
-    best = math.inf
+    best, spent = math.inf, 0.0
     while True:
         nodes = grid.nodes()
         try:
-            _refuse_costly(grid, nodes, seconds)
+            expected = _refuse_costly(grid, nodes, seconds, spent)
         except CostError as refused:
             reached = f"{best:.2g} at most so far" if math.isfinite(best) else "nothing so far"
             raise CostError(
@@ -120,10 +120,12 @@ def study_table_within(
             for name, shares in MIDDLES.items()
             if name in grid.axes
         }
+        spent += expected * (1 + len(errors)) / (1 + len(SAMPLED))
         worst = max(errors, key=errors.__getitem__)
         best = min(best, grid.safety * errors[worst])
         if grid.safety * errors[worst] <= error:
             table = study_table(grid.kappa, grid.psi, sign, grid.damping, seconds=seconds)
+            spent += expected
             if table.largest_error <= error:
                 return table
         count = math.ceil(GROWTH * grid.axes[worst].count)
@@ -181,22 +183,32 @@ def _least_seconds(grid: TableGrid) -> float:
     return least
 
 
-def _refuse_costly(grid: TableGrid, nodes: Nodes | None, seconds: float) -> None:
-    """Raise `CostError` for a table that takes more time than `seconds` of one core."""
+def _refuse_costly(
+    grid: TableGrid, nodes: Nodes | None, seconds: float, spent: float = 0.0
+) -> float:
+    """Return the seconds of one core that a table takes, about.
+
+    Raises
+    ------
+    CostError
+        If these are, with those already `spent` on smaller ones, more than `seconds`.
+    """
     expected = _least_seconds(grid)
-    if nodes is not None and expected <= seconds:
+    if nodes is not None and expected + spent <= seconds:
         refuse_stiff(nodes)
         _, psis, kappas = nodes.values
         columns, rows = (values.ravel() for values in np.meshgrid(kappas, psis))
         few = _few_dampings(nodes)
         plane = sum(cost(columns, rows, eta) for eta in few) / len(few)
         expected = max(expected, (1 + len(SAMPLED)) * plane * nodes.values[0].size)
-    if expected > seconds:
+    if expected + spent > seconds:
+        after = f", after {spent:.2g} s for smaller ones" if spent else ""
         raise CostError(
             f"this table of {_counts(grid)} would take about {expected:.2g} s of "
-            f"one core; the limit is {seconds:g} s. Ask for a narrower range, softer collisions or "
-            "a larger error, or have it computed by `restitution table --store`"
+            f"one core{after}; the limit is {seconds:g} s. Ask for a narrower range, softer "
+            "collisions or a larger error, or have it computed by `restitution table --store`"
         )
+    return expected
 
 
 def _entries(nodes: Nodes, threads: ThreadPoolExecutor | None) -> FloatArray:
