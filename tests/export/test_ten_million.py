@@ -14,8 +14,9 @@ RANGES = ["--kappa", "0.5", "30", "--psi", "0.05", "4"]
 
 MILLION = ["--kappa-count", "1000", "--psi-count", "1000"]
 TEN_MILLION = ["--kappa-count", "3200", "--psi-count", "3200"]
-IN_THREE = ["--kappa-count", "448", "--psi-count", "448",
-            "--damping", "0", "0.5", "--damping-count", "50"]  # fmt: skip
+DAMPED = ["--damping", "0", "0.5", "--damping-count", "50"]
+MILLION_IN_THREE = ["--kappa-count", "142", "--psi-count", "142", *DAMPED]
+TEN_MILLION_IN_THREE = ["--kappa-count", "448", "--psi-count", "448", *DAMPED]
 
 
 def peak(pid):
@@ -67,10 +68,12 @@ def assert_same_files(one, other):
 
 @pytest.mark.verify
 @pytest.mark.parametrize(
-    ("counts", "runs"), [(TEN_MILLION, 3), (IN_THREE, 1)], ids=["two", "three"]
+    ("little", "counts", "runs"),
+    [(MILLION, TEN_MILLION, 3), (MILLION_IN_THREE, TEN_MILLION_IN_THREE, 1)],
+    ids=["two", "three"],
 )
-def test_ten_million_entries(counts, runs, tmp_path):
-    _, _, little_workers, little_client = computed(tmp_path / "little.zarr", MILLION)
+def test_ten_million_entries(little, counts, runs, tmp_path):
+    _, _, little_workers, little_client = computed(tmp_path / "little.zarr", little)
     stores = [tmp_path / f"{run}.zarr" for run in range(runs)]
     measured = [computed(store, counts) for store in stores]
     for processor, wall, workers, client in measured:
