@@ -99,6 +99,18 @@ def test_store_is_the_table_computed_in_place(grid, sign, tmp_path, cluster):
     assert progress == [(done, total) for done in range(total + 1)]
 
 
+def test_cells_between_chunks_are_judged(tmp_path):
+    path = tmp_path / "table.zarr"
+    grid = TableGrid(Axis(3.0, 9.0, 4, "log"), Axis(0.1, 2.0, 4, "log"), Axis(0.0, 0.3, 3))
+    # an entry each: every cell lies between chunks
+    open_store(path, grid, "paper", 1)
+    for index in missing_chunks(path)[0]:
+        write_chunk(str(path), index)
+    table = study_table(grid.kappa, grid.psi, "paper", grid.damping, seconds=60)
+    assert entries(path).tobytes() == table.epsilon_t.tobytes()
+    assert finish(path) == pytest.approx(table.largest_error, rel=1e-9)
+
+
 def test_nothing_of_a_local_cluster_is_open_to_other_machines(cluster):
     with Client(cluster, set_as_default=False) as client:
         pids = {os.getpid(), *client.run(os.getpid).values()}
