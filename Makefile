@@ -56,7 +56,7 @@ screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both 
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(LOCK) --group build --output-file requirements.lock
-	$(LOCK) --group dev --constraints requirements.lock --output-file requirements-dev.lock
+	$(LOCK) --group dev --extra cluster --constraints requirements.lock --output-file requirements-dev.lock
 	$(NPM) install --package-lock-only
 
 clean: ## remove the environment and whatever the tools left

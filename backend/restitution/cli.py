@@ -1,11 +1,13 @@
 """The command line: the service, one impact of real spheres, tables for other codes."""
 
 import math
+import sys
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import click
 import uvicorn
+from click.core import ParameterSource
 from starlette.exceptions import HTTPException
 
 from restitution.api.app import create_app
@@ -24,7 +26,8 @@ from restitution.studies.axis import Axis
 from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
 from restitution.studies.spheres import ScalingStudy, study_scaling
-from restitution.studies.table_export import Sign, study_table, study_table_within
+from restitution.studies.table_export import study_table, study_table_within
+from restitution.studies.table_grid import Sign, TableGrid
 from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
 
 
@@ -165,41 +168,119 @@ def _summary(study: ScalingStudy) -> str:
 @click.option("--psi-count", type=click.IntRange(2), help="150 unless --error is given.")
 @click.option("--psi-scale", type=click.Choice(["linear", "log"]), default="log")
 @click.option(
+    "--damping",
+    type=(float, float),
+    default=(0.0, 0.0),
+    help="η as a third axis, or the same number twice for all entries; 0 0 by default.",
+)
+@click.option("--damping-count", type=click.IntRange(2), help="10 unless --error is given.")
+@click.option("--damping-scale", type=click.Choice(["linear", "log"]), default="linear")
+@click.option(
     "--error", type=click.FloatRange(1e-12, 1), help="Largest error of interpolation wanted."
 )
 @click.option("--sign", type=click.Choice(["paper", "reversed"]), default="paper")
 @click.option("--format", "form", type=click.Choice(TABLE_FORMATS), default="csv")
 @click.option("--seconds", type=float, default=60.0, help="Time of one core that it may take.")
 @click.option("--out", type=click.File("wb"), default="-", help="Standard output by default.")
+@click.option(
+    "--store",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Zarr store for a large table, computed on Dask (extra `cluster`); continued if there.",
+)
+@click.option("--scheduler", help="Address of a Dask scheduler; this machine's cores by default.")
+@click.option("--workers", type=click.IntRange(1), help="Processes on this machine, for --store.")
+@click.pass_context
 def table(
+    context: click.Context,
     kappa: tuple[float, float],
     kappa_count: int | None,
     kappa_scale: str,
     psi: tuple[float, float],
     psi_count: int | None,
     psi_scale: str,
+    damping: tuple[float, float],
+    damping_count: int | None,
+    damping_scale: str,
     error: float | None,
     sign: Sign,
     form: str,
     seconds: float,
     out: BinaryIO,
+    store: Path | None,
+    scheduler: str | None,
+    workers: int | None,
 ) -> None:
-    """Write ε_t over κ and ψ for another code, with its largest error of interpolation."""
-    if error is not None and (kappa_count or psi_count):
+    """Write ε_t over κ and ψ, or κ, ψ and η, for another code, with its error of interpolation."""
+    if error is not None and (kappa_count or psi_count or damping_count):
         raise click.UsageError("--error decides about the counts: leave them out")
+    third: Axis | float = Axis(*damping, damping_count or 10, damping_scale, "damping ")
+    if damping[0] == damping[1]:
+        third = damping[0]
     axes = (
         Axis(*kappa, kappa_count or 200, kappa_scale, "kappa "),
         Axis(*psi, psi_count or 150, psi_scale, "psi "),
     )
+    if store:
+        _refuse_given(context, ("error", "form", "out", "seconds"), "--store")
+        _large_table(store, TableGrid(*axes, third), sign, scheduler, workers)
+        return
+    _refuse_given(context, ("scheduler", "workers"), "a table without --store")
+    asked = *axes, sign, third
     try:
         if error is None:
-            found = study_table(*axes, sign, seconds=seconds)
+            found = study_table(*asked, seconds=seconds)
         else:
-            found = study_table_within(error, *axes, sign, seconds=seconds)
+            found = study_table_within(error, *asked, seconds=seconds)
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
     out.write(bytes(formed(table_result(found), form, "plain").body))
-    click.echo(
-        f"{found.kappa.count} × {found.psi.count} entries, error at most {found.largest_error:.3g}",
-        err=True,
-    )
+    counts = " × ".join(str(count) for count in reversed(found.shape))
+    click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
+
+
+def _refuse_given(context: click.Context, names: tuple[str, ...], beside: str) -> None:
+    """Raise if one of the options was given that are of no use `beside` others."""
+    for option in context.command.params:
+        if (
+            option.name in names
+            and context.get_parameter_source(option.name) is not ParameterSource.DEFAULT
+        ):
+            raise click.UsageError(f"{option.opts[0]} is of no use with {beside}: leave it out")
+
+
+def _large_table(
+    store: Path, grid: TableGrid, sign: Sign, scheduler: str | None, workers: int | None
+) -> None:
+    """Compute a table on Dask, with progress on standard error."""
+    if scheduler and workers:
+        raise click.UsageError("--workers is of no use with --scheduler: leave it out")
+    try:
+        from restitution.export.on_dask import compute_table  # noqa: PLC0415 - of an extra
+        from restitution.export.zarr_store import finish  # noqa: PLC0415 - of an extra
+    except ImportError as missing:
+        raise click.ClickException(
+            f"large tables take Dask and Zarr (there is no {missing.name}): "
+            "pip install 'restitution[cluster]'"
+        ) from missing
+    done, total = 0, 0
+    try:
+        progress = compute_table(store, grid, sign, scheduler=scheduler, workers=workers)
+        done, total = next(progress)
+        if done:
+            click.echo(f"{done} of {total} chunks are in {store} already", err=True)
+        with click.progressbar(length=total, label="chunks", file=sys.stderr, show_pos=True) as bar:
+            bar.update(done)
+            for done, _ in progress:
+                bar.update(1)
+                # a log gets lines instead of the bar
+                if not sys.stderr.isatty():
+                    click.echo(f"{done} of {total} chunks", err=True)
+        largest = finish(store)
+    except RestitutionError as refused:
+        raise click.ClickException(str(refused)) from refused
+    except KeyboardInterrupt as stopped:
+        raise click.ClickException(
+            f"stopped with {done} of {total} chunks in {store}; the same command goes on from there"
+        ) from stopped
+    counts = " × ".join(f"{count:,}" for count in reversed(grid.shape))
+    click.echo(f"{counts} entries in {store}, error at most {largest:.3g}", err=True)

@@ -27,6 +27,10 @@ class ParameterError(RestitutionError, ValueError):
         self.value = value
         self.requirement = requirement
 
+    def __reduce__(self) -> tuple[type, tuple[str, object, str]]:
+        # by default it would be made anew from its message alone, when it comes from a process
+        return type(self), (self.parameter, self.value, self.requirement)
+
 
 class CostError(RestitutionError):
     """A request that would cost more than its budget, refused before any work."""

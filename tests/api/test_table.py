@@ -79,6 +79,47 @@ def test_table_is_cached_by_its_etag(service):
     assert service.get("/table", **SMALL, sign="reversed").headers["etag"] != tag
 
 
+def test_damping_is_a_third_axis_with_kappa_fastest(service):
+    third = {"damping_min": 0, "damping_max": 0.3, "damping_count": 3}
+    rows = list(csv.DictReader(io.StringIO(service.get("/table", **SMALL, **third).text)))
+    assert len(rows) == 60
+    assert {float(row["damping"]) for row in rows[20:40]} == {0.15}
+    for row in rows[3:60:11]:
+        parameters = {"kappa": row["kappa"], "mu_over_alpha": 1, "gt_over_gn": row["psi"]}
+        exact = service.answer("/collision", **parameters, damping=row["damping"])["epsilon_t"]
+        assert float(row["epsilon_t"]) == pytest.approx(exact, abs=1e-9)
+    response = service.get("/table", **SMALL, **third, format="npz")
+    with np.load(io.BytesIO(response.content)) as arrays:
+        assert arrays["epsilon_t"].shape == (3, 4, 5)
+        assert arrays["damping"].tolist() == [0.0, 0.15, 0.3]
+        assert arrays["damping_scale"] == "linear"
+
+
+def test_grid_is_chosen_for_an_error_in_three_parameters(service):
+    # the request of docs/event-driven.md
+    ranges = {"kappa_min": 3, "kappa_max": 6, "psi_min": 0.05, "psi_max": 2, "damping_max": 0.5}
+    response = service.get("/table", **ranges, error=0.1, format="npz")
+    assert response.status_code == 200, response.text
+    with np.load(io.BytesIO(response.content)) as arrays:
+        assert arrays["largest_error"] <= 0.1
+        assert arrays["damping"].size >= 4
+
+
+def test_damping_may_be_one_number(service):
+    response = service.get("/table", **SMALL, damping=0.3, format="npz")
+    third = {"damping_min": 0, "damping_max": 0.3, "damping_count": 3}
+    planes = service.get("/table", **SMALL, **third, format="npz")
+    with np.load(io.BytesIO(response.content)) as one, np.load(io.BytesIO(planes.content)) as many:
+        assert one["damping"] == 0.3
+        assert np.array_equal(one["epsilon_t"], many["epsilon_t"][-1])
+
+
+@pytest.mark.parametrize(("form", "words"), [("c", "double damping)"), ("python", ", damping)")])
+def test_languages_take_the_damping(service, form, words):
+    assert words in service.get("/table", **SMALL, damping_max=0.3, format=form).text
+    assert words not in service.get("/table", **SMALL, damping=0.3, format=form).text
+
+
 @pytest.mark.parametrize(
     ("parameters", "name", "words"),
     [
@@ -90,7 +131,14 @@ def test_table_is_cached_by_its_etag(service):
         ({"psi_min": 0, "psi_scale": "log"}, "psi_min", "log"),
         ({"kappa_min": 0}, "kappa_min", "> 0"),
         ({"kappa_count": 1}, "kappa_count", "≥ 2"),
-        ({"damping_min": 1}, "damping_min", "left out"),
+        ({"damping_min": 1}, "damping_min", "damping_max"),
+        ({"damping_count": 3}, "damping_count", "damping_max"),
+        ({"damping_max": 1, "damping": 0.1}, "damping", "left out"),
+        ({"damping_max": 1, "damping_min": 2}, "damping_max", "2.0"),
+        ({"damping_max": 1, "damping_scale": "log"}, "damping_min", "log"),
+        ({"damping_max": 1, "damping_count": 3, "error": 0.1}, "damping_count", "left out"),
+        ({"damping_max": 1e31}, "damping_max", "1e+30"),
+        ({"damping": -1}, "damping", "from 0"),
         ({"encoding": "base64"}, "encoding", "left out"),
     ],
 )
@@ -102,7 +150,11 @@ def test_wrong_parameters_are_named(service, parameters, name, words):
     "parameters",
     [{"kappa_count": 10**6}, {"kappa_count": 10**12, "psi_count": 10**12},
      {"kappa_min": 1e13, "kappa_max": 1e14, "psi_max": 1}, {"error": 1e-9},
-     {"kappa_min": 5e-324, "kappa_max": 1.7e308, "psi_min": 5e-324, "psi_max": 1.7e308}],
+     {"kappa_min": 5e-324, "kappa_max": 1.7e308, "psi_min": 5e-324, "psi_max": 1.7e308},
+     {"damping_max": 1}, {"damping_max": 1, "damping_count": 10**12},
+     {"damping_max": 1e30, "damping_count": 10**5, "kappa_count": 2, "psi_count": 2},
+     {"damping_max": 1e30, "error": 1e-6},
+     {"kappa_min": 1e13, "kappa_max": 1e14, "psi_max": 1, "damping": 0.1}],
 )  # fmt: skip
 def test_costly_tables_are_413(service, parameters):
     problem = service.promptly(lambda: service.get("/table", **parameters), seconds=12.0)

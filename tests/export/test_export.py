@@ -13,6 +13,7 @@ import pytest
 from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
 from restitution.mechanics.collision import collide
+from restitution.methods.exact import follow
 from restitution.studies.axis import Axis
 from restitution.studies.bodies import Sphere
 from restitution.studies.impact import Impact
@@ -68,6 +69,65 @@ def module_from(folder, table):
     module = importlib.util.module_from_spec(specification)
     specification.loader.exec_module(module)
     return module
+
+
+DAMPINGS = pytest.mark.parametrize(
+    "damping", [Axis(0.0, 0.5, 6), Axis(0.01, 2.0, 7, "log")], ids=["linear", "log"]
+)
+MAIN_IN_THREE = (
+    MAIN.replace("double kappa, psi;", "double kappa, psi, damping;")
+    .replace("%lf %lf", "%lf %lf %lf")
+    .replace("&kappa, &psi) == 2", "&kappa, &psi, &damping) == 3")
+    .replace("(kappa, psi))", "(kappa, psi, damping))")
+)
+
+
+@SIGNS
+@DAMPINGS
+def test_module_in_three_parameters_is_within_its_stated_error(damping, sign, tmp_path):
+    module = module_from(tmp_path, study_table(*LOGARITHMIC, sign, damping, seconds=30))
+    rng = np.random.default_rng(5)
+    worst = 0.0
+    for eta in [
+        damping.minimum,
+        damping.maximum,
+        *rng.uniform(damping.minimum, damping.maximum, 20),
+    ]:
+        at = points(LOGARITHMIC, 200)
+        truth = follow(*at.T.copy(), eta, 1e5).epsilon_t * (1 if sign == "paper" else -1)
+        found = np.array([module.epsilon_t(kappa, psi, eta) for kappa, psi in at.tolist()])
+        worst = max(worst, np.abs(found - truth).max())
+    assert 0 < worst <= module.LARGEST_ERROR
+
+
+@with_compiler
+@DAMPINGS
+def test_c_header_in_three_parameters_is_the_python_module(damping, tmp_path):
+    table = study_table(*LOGARITHMIC, "paper", damping, seconds=30)
+    module = module_from(tmp_path, table)
+    (tmp_path / "restitution_table.h").write_text(c_header(table))
+    rng = np.random.default_rng(6)
+    etas = rng.uniform(-0.05, 1.05 * damping.maximum, 2000)
+    at = [(*pair, eta) for pair, eta in zip(points(LOGARITHMIC).tolist(), etas, strict=True)]
+    at += [(4.0, 1.0, damping.minimum), (4.0, 1.0, damping.maximum), (4.0, 2.1, damping.maximum)]
+    found = numbers_from(built(tmp_path, MAIN_IN_THREE), at)
+    for place, (value,) in zip(at, found, strict=True):
+        # roundings of a logarithm, times the slope within a cell
+        assert value == pytest.approx(module.epsilon_t(*place), abs=1e-12, nan_ok=True)
+    assert np.isnan(found).any()
+    assert not np.isnan(found[-2])
+
+
+def test_damping_of_the_table_is_stated():
+    table = study_table(*LINEAR, "paper", 0.125, seconds=10)
+    for text in (c_header(table), python_module(table)):
+        assert "with viscous damping eta = 0.125" in text
+        assert "not a number above psi = 2.5" in text
+    table = study_table(*LOGARITHMIC, "paper", Axis(0.0, 0.5, 3), seconds=10)
+    for text in (c_header(table), python_module(table)):
+        assert "3 values of eta from 0 to 0.5 (linear)" in text
+        assert "trilinear" in text
+        assert "measured, not proven" in text
 
 
 def points(axes, count=2000):

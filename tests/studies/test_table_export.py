@@ -2,16 +2,27 @@
 
 import numpy as np
 import pytest
+from scipy.interpolate import interpn
 
-from restitution.errors import CostError
+from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
+from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
-from restitution.studies.table_export import DIGITS, SAFETY, study_table, study_table_within
+from restitution.studies.batch import study_batch
+from restitution.studies.table_export import study_table, study_table_within
+from restitution.studies.table_grid import DIGITS, SAFETY
 
 SOLIDS = Axis(3.5, 5.7, 60, "log"), Axis(0.05, 2.0, 60, "log")
 FIGURE_4 = Axis(0.6, 70.0, 90, "log"), Axis(0.01, 2.0, 90, "log")
 LINEAR = Axis(1.0, 30.0, 80), Axis(0.0, 2.0, 80)
 GRIDS = pytest.mark.parametrize("axes", [SOLIDS, FIGURE_4, LINEAR], ids=["solids", "fig4", "lin"])
+DAMPED = Axis(3.0, 9.0, 24, "log"), Axis(0.05, 2.0, 30, "log"), Axis(0.0, 0.4, 8)
+STRONG = Axis(0.5, 20.0, 24, "log"), Axis(0.0, 3.0, 24), Axis(1e-3, 5.0, 12, "log")
+THREE = pytest.mark.parametrize("axes", [DAMPED, STRONG], ids=["damped", "strong"])
+
+
+def in_three(axes, sign="paper"):
+    return study_table(*axes[:2], sign, axes[2], seconds=30)
 
 
 def interpolated(table, kappa, psi):
@@ -81,6 +92,69 @@ def test_denser_samples_raise_the_largest_error_by_less_than_the_margin(axes):
     assert found <= 1.2 * table.largest_error / SAFETY
 
 
+def exact(kappa, psi, damping):
+    """Return ε_t by the way that lists of collisions take."""
+    batch = study_batch(kappa, 1.0, psi, ("epsilon_t",), Options("exact"), damping)
+    return batch.columns["epsilon_t"]
+
+
+@THREE
+def test_entries_in_three_parameters_are_exact_with_kappa_fastest(axes):
+    table = in_three(axes)
+    kappas, psis, etas = (axis.values(positive=False) for axis in axes)
+    assert table.epsilon_t.shape == (etas.size, psis.size, kappas.size)
+    eta, psi, kappa = np.meshgrid(etas, psis, kappas, indexing="ij")
+    truth = exact(kappa.ravel(), psi.ravel(), eta.ravel()).reshape(eta.shape)
+    assert np.abs(table.epsilon_t - truth).max() <= 0.51 * 10.0**-DIGITS
+
+
+@THREE
+def test_error_in_three_parameters_holds_at_points_that_it_was_not_made_from(axes):
+    table = in_three(axes)
+    kappas, psis, etas = (axis.values(positive=False) for axis in axes)
+    rng = np.random.default_rng(7)
+
+    def coordinate(axis, values):
+        return np.log(values) if axis.scale == "log" else values
+
+    low, high = (np.log(axes[2].minimum), np.log(axes[2].maximum)) if axes[2].scale == "log" else (
+        axes[2].minimum, axes[2].maximum)  # fmt: skip
+    # few η, each of which takes a normal motion, with many κ and ψ
+    places = rng.uniform(low, high, 200)
+    worst = 0.0
+    for place in places:
+        eta = np.exp(place) if axes[2].scale == "log" else place
+        kappa = np.exp(rng.uniform(np.log(kappas[0]), np.log(kappas[-1]), 1000))
+        psi = rng.uniform(psis[0], psis[-1], 1000)
+        found = interpn(
+            (coordinate(axes[2], etas), coordinate(axes[1], psis), coordinate(axes[0], kappas)),
+            table.epsilon_t,
+            np.column_stack(
+                [np.full(1000, place), coordinate(axes[1], psi), coordinate(axes[0], kappa)]
+            ),
+        )
+        worst = max(worst, np.abs(found - exact(kappa, psi, eta)).max())
+    assert worst <= table.largest_error
+    # the margin is 2, and 200,000 points miss a tenth of the worst one
+    assert table.largest_error <= 2.5 * worst
+
+
+def test_one_damping_for_all_entries_is_a_plane_of_three_parameters():
+    plane = study_table(*DAMPED[:2], "paper", 0.4, seconds=10)
+    table = in_three(DAMPED)
+    assert np.array_equal(plane.epsilon_t, table.epsilon_t[-1])
+    assert np.isnan(plane.slides_above)
+    undamped = study_table(*DAMPED[:2], "paper", seconds=10)
+    assert np.array_equal(undamped.epsilon_t, table.epsilon_t[0])
+    assert undamped.slides_above == 2.0
+
+
+def test_grid_in_three_parameters_chosen_for_an_error_keeps_it():
+    table = study_table_within(0.05, *SOLIDS, "paper", Axis(0.0, 0.3, 2), seconds=30)
+    assert 0.01 <= table.largest_error <= 0.05
+    assert table.damping.count < table.psi.count
+
+
 @pytest.mark.parametrize("error", [0.1, 0.03, 0.01])
 def test_grid_chosen_for_an_error_keeps_it(error):
     table = study_table_within(error, *SOLIDS, "paper", seconds=10)
@@ -108,11 +182,19 @@ def test_sliding_is_closed_only_where_it_holds_for_every_kappa():
     [
         ((Axis(1.0, 2.0, 10**9), Axis(0.1, 2.0, 10**9)), "1,000,000,000"),
         ((Axis(1e11, 1e12, 10), Axis(0.1, 1.0, 10)), "50,000"),
+        ((Axis(1.0, 2.0, 2), Axis(0.1, 2.0, 2), Axis(0.0, 1.0, 10**6)), "1,000,000 would"),
+        ((Axis(1e11, 1e12, 10), Axis(0.1, 1.0, 10), Axis(0.0, 1.0, 3)), "50,000"),
     ],
 )
 def test_costly_tables_are_refused_before_any_work(axes, words):
     with pytest.raises(CostError, match=words):
-        study_table(*axes, "paper", seconds=1.0)
+        study_table(*axes[:2], "paper", *axes[2:], seconds=1.0)
+
+
+@pytest.mark.parametrize("damping", [-0.1, 1e31, Axis(-1.0, 1.0, 3), Axis(0.5, 0.1, 3)])
+def test_damping_out_of_range_is_refused(damping):
+    with pytest.raises(ParameterError):
+        study_table(*SOLIDS, "paper", damping, seconds=10)
 
 
 def test_unreachable_error_says_how_far_it_got():

@@ -126,12 +126,11 @@ def _repeated(body: bytes, names: Collection[str]) -> list[dict[str, Any]]:
     ]
 
 
-def refuse_more_points(columns: int, rows: int) -> None:
+def refuse_more_points(*counts: int) -> None:
     """Raise `CostError` for a map or table of more than `MOST_ITEMS` points."""
-    if columns * rows > MOST_ITEMS:
-        raise CostError(
-            f"a map of {columns:,} × {rows:,} points has more than {MOST_ITEMS:,}, the limit"
-        )
+    if math.prod(counts) > MOST_ITEMS:
+        points = " × ".join(f"{count:,}" for count in counts)
+        raise CostError(f"a map of {points} points has more than {MOST_ITEMS:,}, the limit")
 
 
 def number_array(

@@ -78,6 +78,9 @@ TABLE = (
     Range("psi_min", "psi_max", "psi_scale", (0.01, 4.0), positive=False),
 )
 
+DAMPING = Range("damping_min", "damping_max", "damping_scale", (0.0, math.inf), positive=False)
+"""The optional third axis of a table; its maximum asks for it."""
+
 
 def table_scales(given: Mapping[str, str]) -> dict[str, str]:
     """Return the scales of ``/table`` where they are not given.
@@ -95,7 +98,15 @@ def table_misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
     """Yield what is wrong with the parameters of ``/table`` beside each other."""
     for axis in TABLE:
         yield from axis.misfits(given)
-    for count in ("kappa_count", "psi_count"):
+    if DAMPING.maximum in given:
+        yield from DAMPING.misfits(given)
+        if "damping" in given:
+            yield "damping", "left out, as `damping_max` makes it an axis"
+    else:
+        for name in (DAMPING.minimum, DAMPING.scale, "damping_count"):
+            if name in given:
+                yield name, "left out, or `damping_max` given, which makes damping an axis"
+    for count in ("kappa_count", "psi_count", "damping_count"):
         if "error" in given and count in given:
             yield count, "left out, as `error` is given and decides about it"
 

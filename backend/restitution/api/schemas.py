@@ -67,6 +67,11 @@ Finite = Annotated[float, Field(allow_inf_nan=False), AfterValidator(lambda x: x
 Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with α in it", gt=0)]
 MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
 GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]
+Damping = Annotated[
+    Finite,
+    stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
+    Field(ge=0, le=MOST_DAMPING),
+]
 
 Damping = Annotated[
     Finite,
@@ -271,6 +276,20 @@ class TableQuery(BaseModel):
     psi_max: Annotated[Finite, _edge("psi_max", "finite and > 0"), Field(gt=0)] = 4.0
     psi_count: Annotated[int, stated("psi_count", "an integer ≥ 2"), Field(ge=2)] = 150
     psi_scale: Annotated[Scale, stated("psi_scale", "linear or log")] = "linear"
+    damping: Damping = 0.0
+    damping_min: Annotated[
+        Finite, _edge("damping_min", f"from 0 to {MOST_DAMPING:g}"), Field(ge=0, le=MOST_DAMPING)
+    ] = 0.0
+    damping_max: (
+        Annotated[
+            Finite,
+            _edge("damping_max", f"> 0, at most {MOST_DAMPING:g}"),
+            Field(gt=0, le=MOST_DAMPING),
+        ]
+        | None
+    ) = None
+    damping_count: Annotated[int, stated("damping_count", "an integer ≥ 2"), Field(ge=2)] = 10
+    damping_scale: Annotated[Scale, stated("damping_scale", "linear or log")] = "linear"
     error: (
         Annotated[
             Finite,
@@ -297,6 +316,20 @@ class TableQuery(BaseModel):
                 self.kappa_min, self.kappa_max, self.kappa_count, self.kappa_scale, "kappa_", ends
             ),
             Axis(self.psi_min, self.psi_max, self.psi_count, self.psi_scale, "psi_", ends),
+        )
+
+    @property
+    def third(self) -> Axis | float:
+        """The axis of η where there is one, else the η of all entries."""
+        if self.damping_max is None:
+            return self.damping
+        return Axis(
+            self.damping_min,
+            self.damping_max,
+            self.damping_count,
+            self.damping_scale,
+            "damping_",
+            ("min", "max"),
         )
 
 

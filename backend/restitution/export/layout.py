@@ -4,12 +4,14 @@ import math
 from dataclasses import dataclass
 
 from restitution.studies.axis import Axis
-from restitution.studies.table_export import DIGITS, SAFETY, SAMPLED, RestitutionTable
+from restitution.studies.table_export import RestitutionTable
+from restitution.studies.table_grid import DIGITS, SAMPLED
 
 SIGNS = {
     "paper": "g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels",
     "reversed": "-g_t(t_c)/g_t(0) at the contact point: -1 smooth spheres, +1 gear wheels",
 }
+ETA = "; eta = (3/2) A beta^(2/5) g_n^(1/5)."
 
 
 @dataclass(frozen=True)
@@ -38,13 +40,14 @@ def numbers(table: RestitutionTable, logarithm: str, not_a_number: str) -> dict[
     filled = {
         "kappa_count": str(table.kappa.count),
         "psi_count": str(table.psi.count),
+        "damping_count": str(table.axes["damping"].count if "damping" in table.axes else 1),
         # rounded up
         "largest_error": f"{1.0005 * table.largest_error:.3e}",
         "beyond": "1.0 - 2.0 / psi" if table.sign == "paper" else "2.0 / psi - 1.0",
     }
     if math.isnan(table.slides_above):
         filled["beyond"] = not_a_number
-    for name, axis in (("kappa", table.kappa), ("psi", table.psi)):
+    for name, axis in table.axes.items():
         at = edge(axis)
         filled |= {
             f"{name}_minimum": repr(float(axis.minimum)),
@@ -56,11 +59,12 @@ def numbers(table: RestitutionTable, logarithm: str, not_a_number: str) -> dict[
     return filled
 
 
-def rows(table: RestitutionTable) -> list[str]:
-    """Return the entries of each ψ, κ fastest, as comma-separated decimals."""
+def rows(table: RestitutionTable) -> list[list[str]]:
+    """Return for each η and each ψ the entries, κ fastest, as comma-separated decimals."""
+    planes = table.epsilon_t.reshape(-1, table.psi.count, table.kappa.count)
     return [
-        ", ".join(f"{entry:.{DIGITS}f}".rstrip("0").rstrip(".") for entry in row)
-        for row in table.epsilon_t.tolist()
+        [", ".join(f"{entry:.{DIGITS}f}".rstrip("0").rstrip(".") for entry in row) for row in plane]
+        for plane in planes.tolist()
     ]
 
 
@@ -71,17 +75,30 @@ def description(table: RestitutionTable) -> list[str]:
         above = "not a number above psi = {0:g}, where the table ends"
     else:
         above = "1 - 2/psi, exact, above psi = {0:g}"
-    samples = len(SAMPLED) ** 2
+    outside = "kappa outside its range gives"
+    if not table.damped:
+        contact, eta = "without viscous damping", []
+    elif isinstance(table.damping, Axis):
+        third = table.damping
+        contact, outside = "with viscous damping", "kappa and eta outside their ranges give"
+        span = f"from {third.minimum:g} to {third.maximum:g} ({third.scale})"
+        eta = [f"{third.count} values of eta {span},"]
+    else:
+        contact, eta = f"with viscous damping eta = {table.damping!r}", []
+    linear = "trilinear" if eta else "bilinear"
     return [
-        "Coefficient of tangential restitution of frictional spheres without viscous damping,",
+        f"Coefficient of tangential restitution of frictional spheres {contact},",
         "after Schwager, Becker & Poeschel, Eur. Phys. J. E 27, 107 (2008).",
         f"Sign: {SIGNS[table.sign]}.",
         "kappa = k_t / (alpha m_eff beta^(4/5) g_n^(2/5)), with alpha in it (Eq. 24);",
-        "psi = (alpha/mu) (g_t/g_n).",
+        f"psi = (alpha/mu) (g_t/g_n){ETA if table.damped else '.'}",
+        *eta,
         f"{psi.count} values of psi from {psi.minimum:g} to {psi.maximum:g} ({psi.scale}),",
         f"{kappa.count} of kappa from {kappa.minimum:g} to {kappa.maximum:g} ({kappa.scale}).",
-        f"Largest error of bilinear interpolation within them: {1.0005 * table.largest_error:.3e}",
-        f"({SAFETY:g} times the largest at {samples} points of every cell, none of them an entry).",
+        f"Largest error of {linear} interpolation within them: {1.0005 * table.largest_error:.3e}",
+        f"({table.safety:g} times the largest at {len(SAMPLED)} points of every cell, none of them",
+        "an entry: measured, not proven).",
         f"Below psi = {psi.minimum:g} the value at {psi.minimum:g} stands, without that statement;",
-        f"{above.format(psi.maximum)}; kappa outside its range gives not a number.",
+        f"{above.format(psi.maximum)};",
+        f"{outside} not a number.",
     ]

@@ -21,10 +21,11 @@ DEARER_BY_DAMPING = 4.0
 """Cost of a switch with damping over one without, rounded up from 3.5."""
 
 
-def cost(kappa: FloatArray, psi: FloatArray) -> float:
+def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     """Return about how many seconds of one core it takes to follow collisions (N,)."""
-    expected = expected_switch_counts(kappa, psi)
-    return 2e-7 * float(np.sum(expected[expected <= MOST_SWITCHES]))
+    expected = expected_counts(kappa, psi, damping)
+    switches = float(np.sum(expected[expected <= MOST_SWITCHES]))
+    return 2e-7 * switches * (DEARER_BY_DAMPING if damping else 1.0)
 
 
 def budget(damping: float, share: float = 1.0) -> float:

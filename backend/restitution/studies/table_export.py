@@ -1,74 +1,68 @@
-"""ε_t(κ, ψ) on a grid for other codes, with a certified error of interpolation in it."""
+"""ε_t(κ, ψ) or ε_t(κ, ψ, η) on a grid for other codes, and how far interpolation in it is off."""
 
 import math
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
 from restitution.errors import CostError
-from restitution.mechanics.collision import MOST_SWITCHES, collide, expected_switch_counts
+from restitution.mechanics.collision import MOST_SWITCHES, PART, workers
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import sliding_threshold
-from restitution.methods.exact import cost
+from restitution.mechanics.viscoelastic import normal_contact
+from restitution.methods.exact import DEARER_BY_DAMPING, cost, expected_counts, follow
 from restitution.studies.axis import Axis
-
-Sign = Literal["paper", "reversed"]
-
-DIGITS = 9
-"""Decimals of the entries, so that every form of a table holds the same numbers."""
-
-SAMPLED = (0.2, 0.5, 0.8)
-"""Where in a cell, along either axis, interpolation is judged; never at an entry."""
-
-SAFETY = 1.5
-"""Certified over largest sampled error.
-
-A measured factor, not a proof: over 60 random grids, 20 × 20 samples in a cell instead of these
-3 × 3 raised the largest error of a table by 20 % at most."""
+from restitution.studies.table_grid import DIGITS, SAMPLED, Nodes, Sign, TableGrid, between
 
 LEAST_SECONDS = 5e-6
-"""For an entry and the samples of its cell."""
+"""For an entry and the samples of its cell, without damping."""
+
+SECONDS_FOR_DAMPING, SECONDS_FOR_TENFOLD = 6e-5, 4e-5
+"""To prepare the normal motion of one η ≤ 1, and for each power of ten above: 1.2 ms at 1e30."""
 
 FEWEST = 16
+FEWEST_DAMPINGS = 4
 GROWTH = math.sqrt(2.0)
-"""Of the count along the axis with the larger error, from one try to the next."""
+"""Of the count along the axis with the largest error, from one try to the next."""
+
+MIDDLES = {"kappa": (0.0, 0.0, 0.5), "psi": (0.0, 0.5, 0.0), "damping": (0.5, 0.0, 0.0)}
+"""The middle of an edge of every cell, along each axis, as shares along η, ψ and κ."""
 
 
 @dataclass(frozen=True)
-class RestitutionTable:
-    """A table for bilinear interpolation.
+class RestitutionTable(TableGrid):
+    """A table for linear interpolation along every axis.
 
     Attributes
     ----------
-    kappa, psi : Axis
-        The grid, equidistant in κ and ψ or in their logarithms.
-    epsilon_t : ndarray, shape (psi.count, kappa.count)
+    epsilon_t : ndarray, shape (psi.count, kappa.count) or (damping.count, psi.count, kappa.count)
         Entries, rounded to `DIGITS` decimals, in the given sign.
     sign : str
         ``paper``: +1 for smooth spheres; ``reversed``: −1 for smooth spheres.
     largest_error : float
-        Certified for bilinear interpolation in the coordinates in which the grid is equidistant:
-        `SAFETY` times the largest error at 9 points of every cell, none of them an entry.
+        Of interpolation in the coordinates in which the grid is equidistant: `safety` times the
+        largest error at 9 points of every cell, none of them an entry. Measured, not proven.
     slides_above : float
-        ψ from which on 1 − 2/ψ is exact for every κ of the grid; NaN if the grid ends below.
+        ψ from which on 1 − 2/ψ is exact for every κ of the grid; NaN if the grid ends below, and
+        with damping, where every collision sticks at first.
     """
 
-    kappa: Axis
-    psi: Axis
     epsilon_t: FloatArray
     sign: Sign
     largest_error: float
     slides_above: float
 
 
-def study_table(kappa: Axis, psi: Axis, sign: Sign, *, seconds: float) -> RestitutionTable:
+def study_table(
+    kappa: Axis, psi: Axis, sign: Sign, damping: Axis | float = 0.0, *, seconds: float
+) -> RestitutionTable:
     """Return the table on a given grid.
 
     Parameters
     ----------
-    kappa, psi : Axis
-        Ranges and counts; ψ may begin at 0 on a linear scale, where the entry is the limit.
+    kappa, psi, damping
+        As of `TableGrid`.
     sign : ``"paper"`` or ``"reversed"``
         Convention of the entries.
     seconds : float
@@ -81,102 +75,185 @@ def study_table(kappa: Axis, psi: Axis, sign: Sign, *, seconds: float) -> Restit
     CostError
         If it would take more than that.
     """
-    entries = _entries(kappa, psi, seconds)
-    largest = max(
-        _largest_error(entries, kappa, psi, along, across)
-        for along in SAMPLED
-        for across in SAMPLED
+    grid = TableGrid(kappa, psi, damping)
+    nodes = grid.nodes() if _least_seconds(grid) <= seconds else None
+    _refuse_costly(grid, nodes, seconds)
+    assert nodes is not None
+    entries, sampled = tabulated(nodes, sign, workers())
+    threshold = float(sliding_threshold(kappa.minimum))
+    above = math.nan if grid.damped or psi.maximum < threshold else psi.maximum
+    return RestitutionTable(
+        kappa, psi, damping, entries.reshape(grid.shape), sign, grid.safety * sampled, above
     )
-    return _finished(entries, kappa, psi, sign, SAFETY * largest)
 
 
 def study_table_within(
-    error: float, kappa: Axis, psi: Axis, sign: Sign, *, seconds: float
+    error: float,
+    kappa: Axis,
+    psi: Axis,
+    sign: Sign,
+    damping: Axis | float = 0.0,
+    *,
+    seconds: float,
 ) -> RestitutionTable:
-    """Return a table whose certified error is at most `error`; as of `study_table`.
+    """Return a table whose largest error is at most `error`; as of `study_table`.
 
     The counts of the axes are found by trying.
     """
-    kappa, psi = replace(kappa, count=FEWEST), replace(psi, count=FEWEST)
-    best = math.inf
+    third = replace(damping, count=FEWEST_DAMPINGS) if isinstance(damping, Axis) else damping
+    grid = TableGrid(replace(kappa, count=FEWEST), replace(psi, count=FEWEST), third)
+    best, spent = math.inf, 0.0
     while True:
+        nodes = grid.nodes()
         try:
-            entries = _entries(kappa, psi, seconds)
+            expected = _refuse_costly(grid, nodes, seconds, spent)
         except CostError as refused:
             reached = f"{best:.2g} at most so far" if math.isfinite(best) else "nothing so far"
             raise CostError(
-                f"an error of {error:g} takes more than {kappa.count:,} × {psi.count:,} entries "
+                f"an error of {error:g} takes more than {_counts(grid)} entries "
                 f"here ({reached}): {refused}"
             ) from refused
-        # errors of interpolation along either axis alone tell which of them to refine
-        along = _largest_error(entries, kappa, psi, 0.5, 0.0)
-        across = _largest_error(entries, kappa, psi, 0.0, 0.5)
-        best = min(best, SAFETY * max(along, across))
-        if SAFETY * max(along, across) <= error:
-            table = study_table(kappa, psi, sign, seconds=seconds)
+        # errors of interpolation along every axis alone tell which of them to refine
+        entries = _entries(nodes, workers())
+        errors = {
+            name: _error_at(entries, nodes, shares, workers())
+            for name, shares in MIDDLES.items()
+            if name in grid.axes
+        }
+        spent += expected * (1 + len(errors)) / (1 + len(SAMPLED))
+        worst = max(errors, key=errors.__getitem__)
+        best = min(best, grid.safety * errors[worst])
+        if grid.safety * errors[worst] <= error:
+            table = study_table(grid.kappa, grid.psi, sign, grid.damping, seconds=seconds)
+            spent += expected
             if table.largest_error <= error:
                 return table
-        if along >= across:
-            kappa = replace(kappa, count=math.ceil(GROWTH * kappa.count))
-        else:
-            psi = replace(psi, count=math.ceil(GROWTH * psi.count))
+        count = math.ceil(GROWTH * grid.axes[worst].count)
+        grid = replace(grid, **{worst: replace(grid.axes[worst], count=count)})
 
 
-def _entries(kappa: Axis, psi: Axis, seconds: float) -> FloatArray:
-    """Return ε_t [ψ][κ] in the paper's sign, rounded."""
-    expected = LEAST_SECONDS * kappa.count * psi.count
-    if expected <= seconds:
-        kappas, psis = np.meshgrid(kappa.values(positive=True), psi.values(positive=False))
-        flat = kappas.ravel(), psis.ravel()
-        expected = (1 + len(SAMPLED) ** 2) * cost(*flat)
-        if np.any(expected_switch_counts(*flat) > MOST_SWITCHES):
-            raise CostError(
-                f"some collisions of this table have more than {MOST_SWITCHES:,} switches, the "
-                "limit. Ask for softer ones"
-            )
-    if expected > seconds:
-        raise CostError(
-            f"this table of {kappa.count:,} × {psi.count:,} would take about {expected:.2g} s of "
-            f"one core; the limit is {seconds:g} s. Ask for a narrower range, softer collisions or "
-            "a larger error"
-        )
-    return np.round(collide(kappas, psis).epsilon_t, DIGITS)
+def tabulated(
+    nodes: Nodes, sign: Sign, threads: ThreadPoolExecutor | None = None
+) -> tuple[FloatArray, float]:
+    """Return the entries [η][ψ][κ] and the largest error at `SAMPLED` points of every cell.
 
-
-def _positions(axis: Axis, share: float, *, positive: bool) -> FloatArray:
-    """Return the values at this share of every cell along an axis; 0 stands for the entries."""
-    values = axis.values(positive=positive)
-    if share == 0.0:
-        return values
-    if axis.scale == "log":
-        return np.asarray(np.exp(_between(np.log(values), share)))
-    return _between(values, share)
-
-
-def _between(values: FloatArray, share: float) -> FloatArray:
-    """Return values linearly between those of neighbours along the first axis."""
-    return values if share == 0.0 else (1.0 - share) * values[:-1] + share * values[1:]
-
-
-def _largest_error(
-    entries: FloatArray, kappa: Axis, psi: Axis, along: float, across: float
-) -> float:
-    """Return the largest error of interpolation at one point of every cell.
-
-    `along` and `across` are its shares of the cell along κ and ψ.
+    It is done in the calling thread unless there are others.
     """
-    interpolated = _between(_between(entries, across).T, along).T
-    truth = collide(
-        _positions(kappa, along, positive=True), _positions(psi, across, positive=False)[:, None]
-    )
-    return float(np.abs(interpolated - truth.epsilon_t).max() + truth.error_bound.max())
-
-
-def _finished(
-    entries: FloatArray, kappa: Axis, psi: Axis, sign: Sign, largest_error: float
-) -> RestitutionTable:
-    threshold = float(sliding_threshold(kappa.minimum))
-    above = psi.maximum if psi.maximum >= threshold else math.nan
+    entries = _entries(nodes, threads)
+    largest = max(_error_at(entries, nodes, shares, threads) for shares in SAMPLED)
     # adding 0 makes −0 the 0 that it equals
     signed = entries if sign == "paper" else 0.0 - entries
-    return RestitutionTable(kappa, psi, signed + 0.0, sign, largest_error, above)
+    return signed + 0.0, largest
+
+
+def refuse_stiff(nodes: Nodes) -> None:
+    """Raise `CostError` if a collision at the nodes has too many switches to be followed."""
+    _, psis, kappas = nodes.values
+    # they are most for the largest κ
+    kappa = np.full(psis.shape, kappas[-1])
+    counts = [expected_counts(kappa, psis, eta) for eta in _few_dampings(nodes)]
+    if any(np.any(count > MOST_SWITCHES) for count in counts):
+        raise CostError(
+            f"some collisions of this table have more than {MOST_SWITCHES:,} switches, the "
+            "limit. Ask for softer ones"
+        )
+
+
+def _few_dampings(nodes: Nodes) -> list[float]:
+    """Return values of η that stand for all, of which each would take a normal motion."""
+    etas = nodes.values[0]
+    return sorted({float(etas[0]), float(etas[etas.size // 2]), float(etas[-1])})
+
+
+def _counts(grid: TableGrid) -> str:
+    """Return the counts of a grid in words, κ first."""
+    return " × ".join(f"{count:,}" for count in reversed(grid.shape))
+
+
+def _least_seconds(grid: TableGrid) -> float:
+    """Return what no table on a grid takes less than."""
+    entries = math.prod(grid.shape)
+    if not grid.damped:
+        return LEAST_SECONDS * entries
+    least = DEARER_BY_DAMPING * LEAST_SECONDS * entries
+    if isinstance(grid.damping, Axis):
+        tenfold = max(0.0, math.log10(grid.damping.maximum))
+        each = SECONDS_FOR_DAMPING + SECONDS_FOR_TENFOLD * tenfold
+        least += (1 + len(SAMPLED)) * each * grid.damping.count
+    return least
+
+
+def _refuse_costly(
+    grid: TableGrid, nodes: Nodes | None, seconds: float, spent: float = 0.0
+) -> float:
+    """Return the seconds of one core that a table takes, about.
+
+    Raises
+    ------
+    CostError
+        If these are, with those already `spent` on smaller ones, more than `seconds`.
+    """
+    expected = _least_seconds(grid)
+    if nodes is not None and expected + spent <= seconds:
+        refuse_stiff(nodes)
+        _, psis, kappas = nodes.values
+        columns, rows = (values.ravel() for values in np.meshgrid(kappas, psis))
+        few = _few_dampings(nodes)
+        plane = sum(cost(columns, rows, eta) for eta in few) / len(few)
+        expected = max(expected, (1 + len(SAMPLED)) * plane * nodes.values[0].size)
+    if expected + spent > seconds:
+        after = f", after {spent:.2g} s for smaller ones" if spent else ""
+        raise CostError(
+            f"this table of {_counts(grid)} would take about {expected:.2g} s of "
+            f"one core{after}; the limit is {seconds:g} s. Ask for a narrower range, softer "
+            "collisions or a larger error, or have it computed by `restitution table --store`"
+        )
+    return expected
+
+
+def _entries(nodes: Nodes, threads: ThreadPoolExecutor | None) -> FloatArray:
+    """Return ε_t [η][ψ][κ] in the paper's sign, rounded."""
+    return np.round(_exact(nodes, threads)[0], DIGITS)
+
+
+def _error_at(
+    entries: FloatArray,
+    nodes: Nodes,
+    shares: tuple[float, float, float],
+    threads: ThreadPoolExecutor | None,
+) -> float:
+    """Return the largest error of interpolation at one point of every cell."""
+    # of an axis with one value there are no cells
+    inside = [
+        share if values.size > 1 else 0.0
+        for share, values in zip(shares, nodes.values, strict=True)
+    ]
+    interpolated = entries
+    for axis, share in enumerate(inside):
+        interpolated = np.moveaxis(between(np.moveaxis(interpolated, axis, 0), share), 0, axis)
+    truth, bound = _exact(nodes.within_cells((inside[0], inside[1], inside[2])), threads)
+    return float(np.abs(interpolated - truth).max() + bound)
+
+
+def _exact(nodes: Nodes, threads: ThreadPoolExecutor | None) -> tuple[FloatArray, float]:
+    """Return ε_t [η][ψ][κ] in the paper's sign and the largest bound on its error."""
+    etas, psis, kappas = nodes.values
+    entries = np.empty((etas.size, psis.size, kappas.size))
+    bound = 0.0
+    for plane, eta in zip(entries, etas.tolist(), strict=True):
+        flat = plane.reshape(-1)
+
+        # no more at a time than `collide` leaves to the calling thread
+        def fill(part: slice, flat: FloatArray = flat, eta: float = eta) -> float:
+            row, column = np.divmod(np.arange(part.start, part.stop), kappas.size)
+            found = follow(kappas[column], psis[row], eta, MOST_SWITCHES)
+            flat[part] = found.epsilon_t
+            return float(found.error_bound.max())
+
+        if eta:
+            # kept, or else every thread would prepare it
+            normal_contact(eta)
+        parts = [slice(i, min(i + PART, flat.size)) for i in range(0, flat.size, PART)]
+        bounds = threads.map(fill, parts) if threads else map(fill, parts)
+        bound = max(bound, *bounds)
+    return entries, bound

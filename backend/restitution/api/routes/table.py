@@ -10,7 +10,9 @@ from restitution.api.forms import Payload, Result, respond
 from restitution.api.schemas import TableQuery
 from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
+from restitution.studies.axis import Axis
 from restitution.studies.table_export import RestitutionTable, study_table, study_table_within
+from restitution.studies.table_grid import TableGrid
 
 MOST_SECONDS = 5.0
 """Of one core, for one request."""
@@ -20,14 +22,22 @@ router = APIRouter(prefix="/api/v1", tags=["table"])
 
 def table_result(table: RestitutionTable) -> Result:
     """Return a table in all its forms."""
-    kappas, psis = table.kappa.values(positive=True), table.psi.values(positive=False)
+    etas, psis, kappas = table.nodes().values
+    entries = table.epsilon_t.ravel()
+    third: Payload = {}
+    if isinstance(table.damping, Axis):
+        third = {"damping": etas, "damping_scale": table.damping.scale}
+    elif table.damped:
+        third = {"damping": table.damping}
 
     def rows() -> Payload:
+        eta, psi, kappa = np.meshgrid(etas, psis, kappas, indexing="ij")
         return {
-            "kappa": np.tile(kappas, psis.size),
-            "psi": np.repeat(psis, kappas.size),
-            "epsilon_t": table.epsilon_t.ravel(),
-            "largest_error": np.full(table.epsilon_t.size, table.largest_error),
+            "kappa": kappa.ravel(),
+            "psi": psi.ravel(),
+            **({"damping": eta.ravel()} if third else {}),
+            "epsilon_t": entries,
+            "largest_error": np.full(entries.size, table.largest_error),
         }
 
     payload = {
@@ -38,6 +48,7 @@ def table_result(table: RestitutionTable) -> Result:
         "kappa_scale": table.kappa.scale,
         "psi_scale": table.psi.scale,
         "sign": table.sign,
+        **third,
     }
     texts = {"c": lambda: c_header(table), "python": lambda: python_module(table)}
     return Result(payload, rows, texts=texts)
@@ -45,15 +56,20 @@ def table_result(table: RestitutionTable) -> Result:
 
 @router.get("/table")
 def table(request: Request, query: Annotated[TableQuery, Query()]) -> Response:
-    """Return ε_t over κ and ψ for other codes: CSV, NPZ, a C header or a Python module."""
+    """Return ε_t over κ and ψ for other codes: CSV, NPZ, a C header or a Python module.
+
+    `damping` holds for all entries, or is a third axis up to `damping_max`.
+    """
     kappa, psi = query.axes
-    refuse_more_points(kappa.count, psi.count)
+    third = query.third
+    refuse_more_points(*reversed(TableGrid(kappa, psi, third).shape))
 
     def compute() -> Result:
+        asked = kappa, psi, query.sign, third
         if query.error is None:
-            found = study_table(kappa, psi, query.sign, seconds=MOST_SECONDS)
+            found = study_table(*asked, seconds=MOST_SECONDS)
         else:
-            found = study_table_within(query.error, kappa, psi, query.sign, seconds=MOST_SECONDS)
+            found = study_table_within(query.error, *asked, seconds=MOST_SECONDS)
         return table_result(found)
 
     return respond(request, query, compute)

@@ -1,0 +1,184 @@
+"""A large table in a Zarr store, whose chunks are made one by one and in any order.
+
+Beside the entries `epsilon_t` and their coordinates there is `sampled_error`, one number for each
+chunk and written after it: a chunk is there if its error is. Zarr writes each of them under
+another name first, so that they are whole or not there at all.
+"""
+
+import contextlib
+import math
+import shutil
+import uuid
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import zarr
+import zarr.errors
+
+from restitution.errors import ParameterError, RestitutionError
+from restitution.export.layout import SIGNS
+from restitution.studies.table_export import tabulated
+from restitution.studies.table_grid import Sign, TableGrid, grid_from, provenance
+
+CHUNK_ENTRIES = 2**17
+"""Of a chunk at most: 1 MB, and seconds of work that a killed run loses."""
+
+Index = tuple[int, ...]
+
+
+def chunk_shape(shape: tuple[int, ...], entries: int = CHUNK_ENTRIES) -> tuple[int, ...]:
+    """Return the shape of chunks of at most about so many entries, as cubic as `shape` allows.
+
+    Along every axis the chunks are of nearly one size.
+
+    Examples
+    --------
+    >>> chunk_shape((10, 1000, 1000))
+    (10, 112, 112)
+    """
+    sides = dict.fromkeys(range(len(shape)), 1)
+    room = float(entries)
+    for left, axis in enumerate(sorted(sides, key=shape.__getitem__)):
+        side = min(shape[axis], max(1, int(room ** (1.0 / (len(shape) - left)))))
+        room /= side
+        sides[axis] = math.ceil(shape[axis] / math.ceil(shape[axis] / side))
+    return tuple(sides.values())
+
+
+def open_store(
+    path: Path, grid: TableGrid, sign: Sign, entries_per_chunk: int = CHUNK_ENTRIES
+) -> None:
+    """Make sure that `path` holds a store for the table on a grid, finished or not.
+
+    Raises
+    ------
+    ParameterError
+        If there is something else, or a table of other parameters or another model.
+    """
+    wanted = provenance(grid, sign)
+    if not path.exists():
+        _create(path, grid, wanted, chunk_shape(grid.shape, entries_per_chunk))
+        return
+    held = _attributes(path)
+    for name, value in _flat(wanted).items():
+        found = _flat(held).get(name)
+        if found != value:
+            requirement = (
+                f"a new path, or that of a table with {name} = {value!r}; the one there "
+                f"has {found!r}"
+            )
+            raise ParameterError("store", str(path), requirement)
+
+
+def missing_chunks(path: Path) -> tuple[list[Index], int]:
+    """Return the places of the chunks that are not there yet, and the number of all chunks."""
+    errors = np.asarray(_array(path, "sampled_error")[...])
+    return [tuple(place) for place in np.argwhere(np.isnan(errors)).tolist()], errors.size
+
+
+def write_chunk(path: str, index: Index) -> None:
+    """Compute one chunk of the store at `path` and write it.
+
+    Everything else is read from the store: this is what a worker does.
+
+    Raises
+    ------
+    RestitutionError
+        If this is another version of the model than the one that made the store.
+    """
+    attributes = _attributes(Path(path))
+    grid, sign = grid_from(attributes), attributes["sign"]
+    if (mine := provenance(grid, sign)["model_version"]) != attributes["model_version"]:
+        raise RestitutionError(
+            f"a worker has version {mine} of the model and {path} was made by "
+            f"{attributes['model_version']}: install the same restitution everywhere"
+        )
+    entries = _array(Path(path), "epsilon_t")
+    begins = [i * side for i, side in zip(index, entries.chunks, strict=True)]
+    ends = [
+        min(begin + side, count)
+        for begin, side, count in zip(begins, entries.chunks, grid.shape, strict=True)
+    ]
+    # one layer more: the cells towards the next chunk are judged here
+    reached = [slice(begin, end + 1) for begin, end in zip(begins, ends, strict=True)]
+    within = tuple(slice(end - begin) for begin, end in zip(begins, ends, strict=True))
+    one_damping = [slice(None)] * (3 - len(reached))
+    found, sampled = tabulated(grid.nodes().part(*one_damping, *reached), sign)
+    values = found.reshape(found.shape[len(one_damping) :])
+    entries[tuple(map(slice, begins, ends))] = values[within]
+    # a chunk that is but the last layer of the table has no cells: those before it have them
+    no_cells = 1 in values.shape
+    _array(Path(path), "sampled_error")[index] = 0.0 if no_cells else sampled
+
+
+def finish(path: Path) -> float:
+    """State the largest error in the store, whose chunks are all there, and return it."""
+    group = zarr.open_group(path, mode="r+")
+    safety = float(str(group.attrs["safety"]))
+    largest = safety * float(np.max(_array(path, "sampled_error")[...]))
+    group.attrs["largest_error"] = largest
+    # what writers left that were killed
+    for partial in path.rglob("*.partial"):
+        partial.unlink(missing_ok=True)
+    return largest
+
+
+def _create(
+    path: Path, grid: TableGrid, attributes: dict[str, Any], chunks: tuple[int, ...]
+) -> None:
+    """Make an empty store, whole or not at all."""
+    # refuses what is wrong with the axes
+    nodes = grid.nodes()
+    partial = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
+    try:
+        group = zarr.create_group(
+            partial, attributes={**attributes, "convention": SIGNS[attributes["sign"]]}
+        )
+        names = list(grid.axes)
+        for name, values in zip(names, nodes.values[-len(names) :], strict=True):
+            group.create_array(name, data=values, dimension_names=[name])
+        group.create_array(
+            "epsilon_t",
+            shape=grid.shape,
+            chunks=chunks,
+            dtype="f8",
+            fill_value=math.nan,
+            dimension_names=names,
+        )
+        group.create_array(
+            "sampled_error",
+            shape=tuple(map(math.ceil, np.divide(grid.shape, chunks))),
+            chunks=(1,) * len(chunks),
+            dtype="f8",
+            fill_value=math.nan,
+            dimension_names=[f"{name}_chunk" for name in names],
+        )
+        partial.rename(path)
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+
+
+def _attributes(path: Path) -> dict[str, Any]:
+    with contextlib.suppress(FileNotFoundError, NotADirectoryError, ValueError):
+        attributes = dict(zarr.open_group(path, mode="r").attrs)
+        if "model_version" in attributes:
+            return attributes
+    raise ParameterError("store", str(path), "a new path, or that of a table in a Zarr store")
+
+
+def _array(path: Path, name: str) -> "zarr.Array[Any]":
+    array = zarr.open_group(path, mode="r+")[name]
+    assert isinstance(array, zarr.Array)
+    return array
+
+
+def _flat(attributes: dict[str, Any], prefix: str = "") -> dict[str, Any]:
+    """Return attributes by names with spaces, as `kappa minimum`."""
+    flat: dict[str, Any] = {}
+    for name, value in attributes.items():
+        if isinstance(value, dict):
+            flat |= _flat(value, "" if name == "axes" else f"{prefix}{name} ")
+        else:
+            flat[prefix + name.replace("_", " ")] = value
+    return flat
