@@ -73,12 +73,6 @@ Damping = Annotated[
     Field(ge=0, le=MOST_DAMPING),
 ]
 
-Damping = Annotated[
-    Finite,
-    stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
-    Field(ge=0, le=MOST_DAMPING),
-]
-
 
 class Request(BaseModel):
     """What every computing request takes."""
