@@ -65,7 +65,7 @@ def test_auto_takes_neither_stiff_limit_nor_table():
     rng = np.random.default_rng(1)
     kappa, psi = rng.uniform(1, 900, 20_000), rng.uniform(0.01, 3, 20_000)
     answer = planner.solve(kappa, psi, ("epsilon_t",), Options(tolerance=0.1, damping=0.1))
-    assert set(answer.method) == {"exact"}
+    assert set(answer.method) == {"exact", "coulomb"}
 
 
 def test_auto_answers_what_is_too_stiff_with_a_bound_that_says_so():
