@@ -1,7 +1,8 @@
 """The forms of an answer: JSON, JSON with base64 arrays, CSV, NPZ; and its HTTP headers."""
 
-import base64
+import binascii
 import dataclasses
+import functools
 import hashlib
 import io
 import time
@@ -14,8 +15,11 @@ import numpy.typing as npt
 import orjson
 from fastapi import Request, Response
 
-from restitution.api.errors import refuse_unsuited
+from restitution.api.admission import admission_of
+from restitution.api.arrays import read_body
+from restitution.api.metrics import COMPUTE, METHOD
 from restitution.api.schemas import FormQuery, NoQuery, TableQuery
+from restitution.api.transport import COMPRESSED
 from restitution.mechanics.compiled import fingerprint
 from restitution.studies.collision import Energy, Estimates, Sensitivity
 
@@ -51,29 +55,61 @@ class Result:
     texts: Mapping[str, Callable[[], str]] = dataclasses.field(default_factory=dict)
 
 
-def respond(
+async def respond(
     request: Request,
     query: FormQuery | NoQuery | TableQuery,
     compute: Callable[[], Result],
     version: str = PROGRAM_VERSION,
+    *,
+    quick: bool = False,
 ) -> Response:
     """Return the answer to `query` in its form, or 304 if the client has it already.
 
-    `version` stands for everything else that the answer depends on.
+    `version` stands for everything else that the answer depends on; `quick` says that computing
+    and writing it takes no more than some milliseconds.
     """
-    refuse_unsuited(request)
     tag = entity_tag(request.url.path, query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    known = [
-        t.strip().removeprefix("W/") for t in request.headers.get("if-none-match", "").split(",")
-    ]
-    if tag in known or "*" in known:
+    if tag_known(tag, request.headers.get("if-none-match", "")):
         return Response(None, 304, headers)
+    work = functools.partial(_computed, request, query, compute, headers)
+    admission = admission_of(request)
+    if quick:
+        return await admission.quickly(work)
+    return await admission.in_thread(request, work)
+
+
+async def respond_to_body(
+    request: Request, form: FormQuery, largest: int, compute: Callable[[bytes], Result]
+) -> Response:
+    """Return what `compute` makes of the JSON in the body, of at most `largest` bytes."""
+    body = await read_body(request, largest)
+    headers = {"Cache-Control": "no-store"}
+    work = functools.partial(_computed, request, form, lambda: compute(body), headers)
+    return await admission_of(request).in_thread(request, work)
+
+
+def _computed(
+    request: Request,
+    form: FormQuery | NoQuery | TableQuery,
+    compute: Callable[[], Result],
+    headers: dict[str, str],
+) -> Response:
+    """Return an answer in its form, with the time that computing it took."""
     begin = time.perf_counter()
     result = compute()
-    elapsed = 1e3 * (time.perf_counter() - begin)
-    headers["Server-Timing"] = f"compute;dur={elapsed:.3f}"
-    return formed(result, query.format, query.encoding, headers)
+    elapsed = time.perf_counter() - begin
+    COMPUTE.labels(request.url.path.rpartition("/")[2]).observe(elapsed)
+    if (method := result.payload.get("method")) is not None:
+        METHOD.labels(method if isinstance(method, str) else "list").inc()
+    headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"
+    return formed(result, form.format, form.encoding, headers)
+
+
+def tag_known(tag: str, header: str) -> bool:
+    """Return whether If-None-Match names `tag`, compressed or not, weak or strong."""
+    known = {t.strip().removeprefix("W/").replace(COMPRESSED, '"') for t in header.split(",")}
+    return tag in known or "*" in known
 
 
 def entity_tag(path: str, query: FormQuery | NoQuery | TableQuery, version: str) -> str:
@@ -131,16 +167,22 @@ def _typed(value: object) -> object:
     return _listed(value)
 
 
-def typed_array(values: npt.NDArray[Any]) -> dict[str, str]:
+def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
     """Return an array as Plotly takes it: dtype, shape, little-endian base64."""
-    if values.dtype.kind == "f":
+    if values.dtype.kind == "f" and not np.isfinite(values).all():
         values = np.where(np.isfinite(values), values, np.nan)
     little = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
-    return {
-        "dtype": f"{values.dtype.kind}{values.dtype.itemsize}",
-        "shape": ",".join(map(str, values.shape)),
-        "bdata": base64.b64encode(little.data).decode(),
-    }
+    shape = ",".join(map(str, values.shape))
+    # written by hand, for orjson would look through every character of the base64
+    return orjson.Fragment(
+        b'{"dtype":"%c%d","shape":"%b","bdata":"%b"}'
+        % (
+            ord(values.dtype.kind),
+            values.dtype.itemsize,
+            shape.encode(),
+            binascii.b2a_base64(little.data, newline=False),
+        )
+    )
 
 
 def as_csv(table: Table) -> bytes:
