@@ -70,8 +70,8 @@ async def respond(
     """
     tag = entity_tag(request.url.path, query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    if tag_known(tag, request.headers.get("if-none-match", "")):
-        return Response(None, 304, headers)
+    if known := known_tag(tag, request.headers.get("if-none-match", "")):
+        return Response(None, 304, headers | {"ETag": known})
     work = functools.partial(_computed, request, query, compute, headers)
     admission = admission_of(request)
     if quick:
@@ -106,10 +106,12 @@ def _computed(
     return formed(result, form.format, form.encoding, headers)
 
 
-def tag_known(tag: str, header: str) -> bool:
-    """Return whether If-None-Match names `tag`, compressed or not, weak or strong."""
-    known = {t.strip().removeprefix("W/").replace(COMPRESSED, '"') for t in header.split(",")}
-    return tag in known or "*" in known
+def known_tag(tag: str, header: str) -> str | None:
+    """Return `tag` as If-None-Match has it, compressed or not, None if it is not there."""
+    names = {name.strip().removeprefix("W/") for name in header.split(",")}
+    if compressed := {tag.removesuffix('"') + COMPRESSED} & names:
+        return compressed.pop()
+    return tag if names & {tag, "*"} else None
 
 
 def entity_tag(path: str, query: FormQuery | NoQuery | TableQuery, version: str) -> str:
@@ -209,6 +211,11 @@ def _text(value: object) -> bytes:
     return quoted.encode()
 
 
+def _fields(value: Any) -> Payload:
+    """Return the fields of a dataclass; `vars` may hold cached properties as well."""
+    return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+
+
 def flattened(payload: Payload, prefix: str = "") -> Payload:
     """Return `payload` with nested keys joined by dots, without the list of episodes."""
     flat: Payload = {}
@@ -218,7 +225,7 @@ def flattened(payload: Payload, prefix: str = "") -> Payload:
                 f"{prefix}{name}.{part.name}": None for part in dataclasses.fields(PARTS[name])
             }
         elif dataclasses.is_dataclass(value):
-            flat |= flattened(vars(value), f"{prefix}{name}.")
+            flat |= flattened(_fields(value), f"{prefix}{name}.")
         elif isinstance(value, dict):
             flat |= flattened(value, f"{prefix}{name}.")
         elif name != "episodes":

@@ -66,7 +66,8 @@ QUICK_SAMPLES = 2000
 
 def _understood(query: Formed, **more: Any) -> Payload:
     """Return the parameters as understood."""
-    return {name: value for name, value in query if name not in FORM} | more
+    names = type(query).model_fields
+    return {name: getattr(query, name) for name in names if name not in FORM} | more
 
 
 def _collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
