@@ -41,9 +41,8 @@ class Admission:
     """
 
     def __init__(self, most_quick: int, most_long: int, most_waiting: int) -> None:
-        self._most_quick = most_quick
-        self._most_waiting = most_waiting
-        self._quick = 0
+        self._most_quick, self._most_admitted = most_quick, most_long + most_waiting
+        self._quick = self._admitted = 0
         self._threads = anyio.CapacityLimiter(most_long)
 
     async def quickly(self, work: Callable[[], Answer]) -> Answer:
@@ -68,16 +67,18 @@ class Admission:
         InterruptionError
             If the client left.
         """
-        if self._threads.statistics().tasks_waiting >= self._most_waiting:
+        if self._admitted >= self._most_admitted:
             raise _saturated()
         stop = threading.Event()
         watch = asyncio.create_task(_watch(request, stop))
+        self._admitted += 1
         WAITING.inc()
         try:
             return await anyio.to_thread.run_sync(
                 functools.partial(_work, work, stop), limiter=self._threads
             )
         finally:
+            self._admitted -= 1
             WAITING.dec()
             watch.cancel()
 

@@ -7,7 +7,6 @@ from contextlib import asynccontextmanager
 from importlib.metadata import version
 
 from fastapi import FastAPI
-from starlette.middleware.cors import CORSMiddleware
 
 from restitution.api import errors
 from restitution.api.admission import Admission
@@ -16,7 +15,7 @@ from restitution.api.page import add_page, compress_page
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
-from restitution.api.transport import Compression, Manners
+from restitution.api.transport import Compression, Manners, OpenDoors
 from restitution.api.warm import warm, warm_rest
 
 
@@ -35,20 +34,15 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
     )
-    app.state.ready = threading.Event()
+    # the kernels of the first view; all kernels and the table
+    app.state.ready, app.state.warm = threading.Event(), threading.Event()
     app.state.runs = Runs() if settings.tradeoff_runs else None
     app.state.admission = Admission(settings.most_quick, settings.most_long, settings.most_waiting)
     app.state.frontend_directory = settings.frontend_directory
     errors.install(app)
     # the last one added is the first to see a request
     app.add_middleware(Compression)
-    app.add_middleware(
-        CORSMiddleware,
-        allow_origins=["*"],
-        allow_methods=["GET", "POST"],
-        allow_headers=["*"],
-        expose_headers=["ETag", "Server-Timing", "Retry-After", "X-Request-ID"],
-    )
+    app.add_middleware(OpenDoors)
     app.add_middleware(Manners)
     app.include_router(collisions.router)
     app.include_router(scaling.router)
@@ -76,6 +70,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         LOGGER.info("ready", kernels_took_seconds=round(time.perf_counter() - begin, 1))
         compress_page(app.state.frontend_directory)
         warm_rest()
+        app.state.warm.set()
 
     LOGGER.info("preparing the kernels: compiled the first time, which takes half a minute")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()

@@ -8,6 +8,7 @@ from typing import Any
 import orjson
 from fastapi import FastAPI, Request, Response
 from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect
 
 from restitution.api.admission import RETRY_AFTER, SaturatedError
 from restitution.api.metrics import REFUSED
@@ -170,6 +171,7 @@ HANDLERS = {
     CostError: _cost,
     SaturatedError: _saturated,
     InterruptionError: _interrupted,
+    ClientDisconnect: _interrupted,
     HTTPException: _http,
     Exception: _defect,
 }

@@ -5,8 +5,10 @@ import dataclasses
 import functools
 import hashlib
 import io
+import itertools
 import time
-from collections.abc import Callable, Mapping
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +16,7 @@ import numpy as np
 import numpy.typing as npt
 import orjson
 from fastapi import Request, Response
+from starlette.responses import StreamingResponse
 
 from restitution.api.admission import admission_of
 from restitution.api.arrays import read_body
@@ -25,6 +28,9 @@ from restitution.studies.collision import Energy, Estimates, Sensitivity
 
 PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
 """Changes with any source of the package, and so with any answer."""
+
+ROWS = 10_000
+"""Of a table that are written at a time, and numbers of an array that are sent by themselves."""
 
 PARTS = {"energy": Energy, "estimates": Estimates, "sensitivity": Sensitivity}
 """Keys whose values have keys of their own, and columns of a table even where they are null."""
@@ -74,7 +80,8 @@ async def respond(
         return Response(None, 304, headers | {"ETag": known})
     work = functools.partial(_computed, request, query, compute, headers)
     admission = admission_of(request)
-    if quick:
+    # before that it might have to wait for a kernel to be compiled
+    if quick and request.app.state.warm.is_set():
         return await admission.quickly(work)
     return await admission.in_thread(request, work)
 
@@ -129,13 +136,20 @@ def formed(
         return Response(content, 200, dict(headers or {}), kind)
     match form:
         case "csv":
-            content, kind = as_csv(result.table()), "text/csv; charset=utf-8"
+            return _in_blocks(csv_blocks(result.table()), headers, "text/csv; charset=utf-8")
         case "npz":
             arrays = result.arrays() if result.arrays else result.payload
-            content, kind = as_npz(arrays), "application/x-npz"
-        case _:
-            content, kind = as_json(result.payload, encoding), "application/json"
-    return Response(content, 200, dict(headers or {}), kind)
+            return _in_blocks(npz_blocks(arrays), headers, "application/x-npz")
+    content = as_json(result.payload, encoding)
+    return Response(content, 200, dict(headers or {}), "application/json")
+
+
+def _in_blocks(blocks: Iterator[bytes], headers: Mapping[str, str] | None, kind: str) -> Response:
+    """Return an answer written block by block, in one piece if the second block is its last."""
+    first = list(itertools.islice(blocks, 3))
+    if len(first) < 3:
+        return Response(b"".join(first), 200, dict(headers or {}), kind)
+    return StreamingResponse(itertools.chain(first, blocks), 200, dict(headers or {}), kind)
 
 
 def as_json(payload: Payload, encoding: str) -> bytes:
@@ -187,11 +201,17 @@ def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
     )
 
 
-def as_csv(table: Table) -> bytes:
-    """Return a header row and one row per element of the columns (N,); None and NaN are empty."""
-    columns = [_texts(_counted(name, column)) for name, column in table.items()]
-    rows = b"\n".join(map(b",".join, zip(*columns, strict=True)))
-    return b",".join(name.encode() for name in table) + b"\n" + rows + b"\n"
+def csv_blocks(table: Table) -> Iterator[bytes]:
+    """Yield a header row and then the rows of the columns (N,), many at a time.
+
+    None and NaN are empty.
+    """
+    yield b",".join(name.encode() for name in table) + b"\n"
+    length = len(next(iter(table.values())))
+    for begin in range(0, length, ROWS):
+        part = slice(begin, begin + ROWS)
+        columns = [_texts(_counted(name, column[part])) for name, column in table.items()]
+        yield b"\n".join(map(b",".join, zip(*columns, strict=True))) + b"\n"
 
 
 def _texts(column: npt.NDArray[Any] | list[Any]) -> list[bytes]:
@@ -233,12 +253,32 @@ def flattened(payload: Payload, prefix: str = "") -> Payload:
     return flat
 
 
-def as_npz(payload: Payload) -> bytes:
-    """Return one array per key; what does not exist is NaN."""
-    arrays = {
-        name: np.asarray(np.nan if value is None else value)
-        for name, value in flattened(payload).items()
-    }
-    buffer = io.BytesIO()
-    np.savez(buffer, **arrays)  # type: ignore[arg-type] # its stub takes names for options
-    return buffer.getvalue()
+class _Sink(io.RawIOBase):
+    """A file that cannot be gone back in; what was written to it is taken away."""
+
+    def __init__(self) -> None:
+        self._parts: list[bytes] = []
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        self._parts.append(bytes(data))
+        return len(data)
+
+    def take(self) -> bytes:
+        taken, self._parts = b"".join(self._parts), []
+        return taken
+
+
+def npz_blocks(payload: Payload) -> Iterator[bytes]:
+    """Yield one array per key, as `numpy.savez` would write them; what does not exist is NaN."""
+    sink = _Sink()
+    with zipfile.ZipFile(sink, "w") as archive:
+        for name, value in flattened(payload).items():
+            array = np.asarray(np.nan if value is None else value)
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, array, allow_pickle=False)
+            if array.size > ROWS:
+                yield sink.take()
+    yield sink.take()

@@ -1,8 +1,12 @@
 """What happens to every answer on its way out: compression, headers, HEAD."""
 
+from fastapi import Response
 from starlette.datastructures import Headers, MutableHeaders
+from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+
+from restitution.api.errors import problem
 
 COMPRESSED = '-gzip"'
 """Ends the entity tag of an answer that was compressed: a strong tag names bytes."""
@@ -66,3 +70,24 @@ class Manners:
             await send(message)
 
         await self._app({**scope, "method": "GET"} if head else scope, receive, mannered)
+
+
+class OpenDoors(CORSMiddleware):
+    """Let pages from anywhere GET and POST; refusals of a preflight are problems, too."""
+
+    def __init__(self, app: ASGIApp) -> None:
+        super().__init__(
+            app,
+            allow_origins=["*"],
+            allow_methods=["GET", "POST"],
+            allow_headers=["*"],
+            expose_headers=["ETag", "Server-Timing", "Retry-After", "X-Request-ID"],
+        )
+
+    def preflight_response(self, request_headers: Headers) -> Response:
+        """Return the answer to a preflight."""
+        response = super().preflight_response(request_headers)
+        if response.status_code == 200:
+            return response
+        detail = f"{bytes(response.body).decode()}; from other pages GET and POST are allowed"
+        return problem(response.status_code, detail)
