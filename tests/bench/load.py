@@ -30,7 +30,10 @@ TICK = os.sysconf("SC_CLK_TCK")
 FRAME = 1.0 / 60.0
 """A page asks once for each frame that it draws, and never twice at a time."""
 
-MAP = "/api/v1/map?mu_over_alpha={}&kappa_count=120&gt_over_gn_count=80&tolerance=4e-3&encoding=base64"
+MAP = (
+    "/api/v1/map?mu_over_alpha={}&kappa_count=120&gt_over_gn_count=80&tolerance=4e-3"
+    "&encoding=base64"
+)
 DRAGGED = "/api/v1/trace?kappa={}&mu_over_alpha={}&gt_over_gn={}&encoding=base64"
 
 
