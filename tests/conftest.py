@@ -1,12 +1,6 @@
 """Reference collisions, seeds of property tests, and a real server, shared by all tests."""
 
 import csv
-import socket
-import subprocess
-import sys
-import time
-import urllib.error
-import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -15,8 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
-START_SECONDS = 60
-"""A first start compiles the kernels."""
+from servers import serving
 
 VALIDATION = Path(__file__).parent / "validation"
 
@@ -79,41 +72,5 @@ def reference_reversals() -> np.ndarray:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The base URL of a `restitution serve` process."""
-    log_path = tmp_path_factory.mktemp("server") / "log"
-    port = free_port()
-    program = Path(sys.executable).with_name("restitution")
-    with (
-        log_path.open("wb") as log,
-        subprocess.Popen(
-            [program, "serve", "--host", "127.0.0.1", "--port", str(port)],
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        ) as process,
-    ):
-        try:
-            wait_until_ready(f"http://127.0.0.1:{port}", process, log_path)
-            yield f"http://127.0.0.1:{port}"
-        finally:
-            process.terminate()
-            try:
-                process.wait(timeout=10)
-            except subprocess.TimeoutExpired:
-                process.kill()
-
-
-def free_port() -> int:
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return int(listener.getsockname()[1])
-
-
-def wait_until_ready(url: str, process: subprocess.Popen[bytes], log_path: Path) -> None:
-    deadline = time.monotonic() + START_SECONDS
-    while time.monotonic() < deadline and process.poll() is None:
-        try:
-            urllib.request.urlopen(f"{url}/readyz", timeout=5).close()
-        except (urllib.error.URLError, ConnectionError, TimeoutError):
-            time.sleep(0.1)
-        else:
-            return
-    pytest.fail(f"the server did not become ready:\n{log_path.read_text(errors='replace')}")
+    with serving(tmp_path_factory.mktemp("server")) as running:
+        yield running.url

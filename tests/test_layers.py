@@ -11,11 +11,11 @@ BACKEND = ROOT / "backend" / "restitution"
 FRONTEND = ROOT / "frontend"
 
 MAY_IMPORT = {
-    "mechanics": {"mechanics", "errors"},
-    "methods": {"methods", "mechanics", "errors"},
+    "mechanics": {"mechanics", "errors", "interruption"},
+    "methods": {"methods", "mechanics", "errors", "interruption"},
     "studies": {"studies", "methods", "mechanics", "errors"},
     "export": {"export", "studies", "errors"},
-    "api": {"api", "export", "studies", "methods", "mechanics", "errors"},
+    "api": {"api", "export", "studies", "methods", "mechanics", "errors", "interruption"},
 }
 
 LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}

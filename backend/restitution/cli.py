@@ -1,7 +1,9 @@
 """The command line: the service, one impact of real spheres, tables for other codes."""
 
 import math
+import os
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -10,15 +12,15 @@ import uvicorn
 from click.core import ParameterSource
 from starlette.exceptions import HTTPException
 
-from restitution.api.app import create_app
 from restitution.api.arrays import parse_object
 from restitution.api.bodies import read_scaling
 from restitution.api.errors import RefusedParametersError, sentences
 from restitution.api.forms import as_json, formed
-from restitution.api.page import compress_plotly
+from restitution.api.page import compress_page
 from restitution.api.routes.scaling import scaling_payload
 from restitution.api.routes.table import table_result
 from restitution.api.schemas import TABLE_FORMATS
+from restitution.api.settings import Settings
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
@@ -29,6 +31,9 @@ from restitution.studies.spheres import ScalingStudy, study_scaling
 from restitution.studies.table_export import study_table, study_table_within
 from restitution.studies.table_grid import Sign, TableGrid
 from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
+
+LONGEST_FAREWELL = 8
+"""Seconds that requests in flight get when the service stops; supervisors wait for ten."""
 
 
 @click.group()
@@ -42,14 +47,27 @@ def main() -> None:
 def serve(host: str, port: int) -> None:
     """Serve the page and the API."""
     click.echo(f"serving http://{host}:{port}")
-    uvicorn.run(create_app(), host=host, port=port, log_level="warning")
+    with tempfile.TemporaryDirectory() as folder:
+        if (workers := Settings().workers) > 1:
+            # where the processes add up their counts
+            os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
+        uvicorn.run(
+            "restitution.api.app:create_service",
+            factory=True,
+            host=host,
+            port=port,
+            workers=workers,
+            log_config=None,
+            access_log=False,
+            timeout_graceful_shutdown=LONGEST_FAREWELL,
+        )
 
 
 @main.command()
 def warm() -> None:
     """Compile the kernels, compress plotly.js and build the table into the cache."""
     warm_kernels()
-    compress_plotly()
+    compress_page(Settings().frontend_directory)
     warm_rest()
 
 

@@ -38,12 +38,14 @@ class CostError(RestitutionError):
 
 def require(
     parameter: str,
-    values: npt.NDArray[np.float64],
-    allowed: npt.NDArray[np.bool_] | np.bool_,
+    values: npt.ArrayLike,
+    allowed: npt.NDArray[np.bool_] | np.bool_ | bool,
     requirement: str,
 ) -> None:
     """Raise `ParameterError` for the first of `values` (any shape) that is not `allowed`."""
-    if not np.all(allowed):
-        index = np.unravel_index(int(np.argmin(allowed)), values.shape)
-        name = f"{parameter}[{','.join(map(str, index))}]" if index else parameter
-        raise ParameterError(name, float(values[index]), requirement)
+    if allowed is True or np.all(allowed):
+        return
+    given = np.asarray(values, dtype=np.float64)
+    index = np.unravel_index(int(np.argmin(allowed)), given.shape)
+    name = f"{parameter}[{','.join(map(str, index))}]" if index else parameter
+    raise ParameterError(name, float(given[index]), requirement)

@@ -125,6 +125,31 @@ export function createExplanation(onLost) {
 
 const LONGEST_WAIT = 15_000;
 
+/**
+ * Whether the server says that too many ask, and when to come again.
+ * @param {Response} response
+ */
+function isCrowded(response) {
+  return response.status === 503 && response.headers.has("retry-after");
+}
+
+/**
+ * Wait as long as the server says and up to as long again, for a class that was sent away together
+ * shall not come back together.
+ * @param {Response} response
+ * @param {AbortSignal} signal
+ */
+function politePause(response, signal) {
+  const wait = 1000 * Number(response.headers.get("retry-after")) * (1 + Math.random());
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(resolve, Number.isFinite(wait) ? wait : 1000);
+    signal.addEventListener("abort", () => {
+      clearTimeout(timer);
+      reject(signal.reason);
+    });
+  });
+}
+
 /** The only place that knows the server. */
 export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(globalThis) } = {}) {
   /**
@@ -134,10 +159,14 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
    */
   async function get(url, signal, how = {}) {
     const limit = AbortSignal.timeout(LONGEST_WAIT);
+    const until = signal ? AbortSignal.any([signal, limit]) : limit;
     let response;
     try {
-      const until = signal ? AbortSignal.any([signal, limit]) : limit;
       response = await fetch(url, { ...how, signal: until });
+      if (isCrowded(response)) {
+        await politePause(response, until);
+        response = await fetch(url, { ...how, signal: until });
+      }
     } catch (error) {
       throw new Unreachable("The server does not answer", { cause: error });
     }

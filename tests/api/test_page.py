@@ -1,16 +1,20 @@
 """The page's files: who may load what, how small it comes over the wire, how long it is kept."""
 
+import os
+import time
+
 import brotli
 import pytest
 from starlette.testclient import TestClient
 
 from restitution.api import page
 from restitution.api.app import create_app
+from restitution.api.settings import Settings
 
 
 @pytest.fixture(scope="module")
 def client():
-    page.compress_plotly()
+    page.compress_page(Settings().frontend_directory)
     with TestClient(create_app()) as client:
         yield client
 
@@ -44,8 +48,10 @@ def test_plotly_comes_compressed_and_whole(client):
 
 
 def test_answers_and_modules_come_compressed_to_those_who_can(client):
-    for path in ("/api/v1/map?mu_over_alpha=1.4", "/static/main.js"):
-        assert client.get(path).headers["content-encoding"] == "gzip", path
+    kinds = {"/api/v1/map?mu_over_alpha=1.4": "gzip", "/static/main.js": "br"}
+    for path, kind in kinds.items():
+        packed = client.get(path, headers={"Accept-Encoding": "gzip, deflate, br"})
+        assert packed.headers["content-encoding"] == kind, path
         bare = client.get(path, headers={"Accept-Encoding": "identity"})
         assert "content-encoding" not in bare.headers
 
@@ -55,3 +61,37 @@ def test_modules_are_asked_for_again_and_found_unchanged(client):
     assert first.headers["cache-control"] == "no-cache"
     again = client.get("/static/main.js", headers={"If-None-Match": first.headers["etag"]})
     assert again.status_code == 304
+
+
+def test_a_file_that_changed_since_it_was_compressed_comes_as_it_is_now(tmp_path):
+    script = tmp_path / "script.js"
+    script.write_text("// old")
+    page.compress_page(tmp_path)
+    script.write_text("// new, and longer than the old one")
+    os.utime(script, (time.time() + 10, time.time() + 10))
+    with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:
+        answer = client.get("/static/script.js", headers={"Accept-Encoding": "br"})
+    assert answer.text == "// new, and longer than the old one"
+
+
+@pytest.mark.parametrize(
+    "path", ["/", "/static/main.js", "/assets/plotly.min.js", "/api/v1/presets", "/nothing"]
+)
+def test_head_tells_the_headers_of_get(client, path):
+    told, whole = client.head(path), client.get(path)
+    assert told.status_code == whole.status_code
+    assert told.content == b""
+    varying = {"date", "server-timing", "x-request-id", "content-length"}
+    assert {n: v for n, v in told.headers.items() if n not in varying} == {
+        n: v for n, v in whole.headers.items() if n not in varying
+    }
+
+
+@pytest.mark.parametrize(
+    "path", ["/", "/static/main.js", "/api/v1/presets", "/nothing", "/healthz"]
+)
+def test_every_answer_guards_the_browser(client, path):
+    headers = client.get(path).headers
+    assert headers["x-content-type-options"] == "nosniff"
+    assert headers["referrer-policy"] == "no-referrer"
+    assert "default-src" in headers["content-security-policy"]

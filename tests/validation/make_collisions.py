@@ -108,7 +108,7 @@ def special() -> list[Point]:
 
 def points() -> list[Point]:
     """Every point of the file, in its order."""
-    generator = random.Random(SEED)  # noqa: S311
+    generator = random.Random(SEED)
     wide = scattered(generator, 70, (1e-6, 2.5e6), (1e-8, 1e8))
     # Stiff contacts with many switches take up to half a minute each: `special` has some.
     wide = [(kappa, psi) for kappa, psi in wide if kappa < 1e4 or not 1e-3 < psi < 2]

@@ -67,7 +67,7 @@ def special() -> list[Point]:
 
 def points() -> list[Point]:
     """Every point of the file, in its order."""
-    generator = random.Random(SEED)  # noqa: S311
+    generator = random.Random(SEED)
     wanted = scattered(generator, 80, (0.3, 400.0), (0.05, 3.0), (0.003, 1.2))
     return [*wanted, *special()]
 

@@ -6,16 +6,16 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from importlib.metadata import version
 
-import click
 from fastapi import FastAPI
-from starlette.middleware.cors import CORSMiddleware
-from starlette.middleware.gzip import GZipMiddleware
 
 from restitution.api import errors
-from restitution.api.page import add_page, compress_plotly
+from restitution.api.admission import Admission
+from restitution.api.observing import LOGGER, observe, set_up_log
+from restitution.api.page import add_page, compress_page
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
+from restitution.api.transport import Compression, Manners, OpenDoors
 from restitution.api.warm import warm, warm_rest
 
 
@@ -34,25 +34,31 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         docs_url=None,
         redoc_url=None,
     )
-    app.state.ready = threading.Event()
+    # the kernels of the first view; all kernels and the table
+    app.state.ready, app.state.warm = threading.Event(), threading.Event()
     app.state.runs = Runs() if settings.tradeoff_runs else None
+    app.state.admission = Admission(settings.most_quick, settings.most_long, settings.most_waiting)
+    app.state.frontend_directory = settings.frontend_directory
     errors.install(app)
-    app.add_middleware(
-        CORSMiddleware,
-        allow_origins=["*"],
-        allow_methods=["GET", "POST"],
-        allow_headers=["*"],
-        expose_headers=["ETag", "Server-Timing", "Retry-After"],
-    )
-    # level 1: numbers in base64 shrink by a quarter at any level
-    app.add_middleware(GZipMiddleware, minimum_size=1000, compresslevel=1)
+    # the last one added is the first to see a request
+    app.add_middleware(Compression)
+    app.add_middleware(OpenDoors)
+    app.add_middleware(Manners)
     app.include_router(collisions.router)
     app.include_router(scaling.router)
     app.include_router(table.router)
     app.include_router(tradeoff.router)
     app.include_router(service.router)
+    app.include_router(service.health)
+    observe(app, log_requests=settings.log_requests)
     add_page(app, settings.frontend_directory)
     return app
+
+
+def create_service() -> FastAPI:
+    """Return the service of a process of its own, which logs."""
+    set_up_log()
+    return create_app()
 
 
 @asynccontextmanager
@@ -61,10 +67,11 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         begin = time.perf_counter()
         warm()
         app.state.ready.set()
-        click.echo(f"ready: the kernels took {time.perf_counter() - begin:.1f} s")
-        compress_plotly()
+        LOGGER.info("ready", kernels_took_seconds=round(time.perf_counter() - begin, 1))
+        compress_page(app.state.frontend_directory)
         warm_rest()
+        app.state.warm.set()
 
-    click.echo("preparing the kernels: compiled the first time (half a minute), then from a cache")
+    LOGGER.info("preparing the kernels: compiled the first time, which takes half a minute")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()
     yield

@@ -1,5 +1,6 @@
 """Numbers, lists and typed arrays in the body of a request."""
 
+import asyncio
 import base64
 import binascii
 import json
@@ -23,6 +24,10 @@ from restitution.mechanics.hertz import FloatArray
 MOST_ITEMS = 1_000_000
 LARGEST_BODY = 40 * 2**20
 LARGEST_SMALL_BODY = 2 * 2**20
+
+LONGEST_UPLOAD = 60.0
+"""Seconds until a body must be there: 40 MiB at 6 Mbit/s."""
+
 TOO_DEEP = "the body is nested too deeply"
 
 MOST_REFUSALS = 20
@@ -37,36 +42,39 @@ KEY = re.compile(rb'"(\w{1,32})"\s*:')
 Allowed = Callable[[FloatArray], npt.NDArray[np.bool_]]
 
 
-async def read_json(request: Request, names: Collection[str]) -> dict[str, Any]:
-    """Return the JSON object in the body.
-
-    Parameters
-    ----------
-    request : Request
-        Not yet read.
-    names : collection of str
-        Names of parameters; giving one of them twice is refused.
+async def read_body(request: Request, largest: int) -> bytes:
+    """Return the body of a request.
 
     Raises
     ------
     HTTPException
-        415 for another content type, 413 for too much, 400 for what is not a JSON object.
-    RefusedParametersError
-        If a parameter is repeated.
+        415 for another content type, 413 for too much, 408 for one that does not come.
     """
-    body = await _read_body(request, LARGEST_BODY)
+    kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
+    if kind != "application/json":
+        raise HTTPException(415, "the body must be application/json")
+    body = bytearray()
+    try:
+        async with asyncio.timeout(LONGEST_UPLOAD):
+            async for chunk in request.stream():
+                body += chunk
+                if len(body) > largest:
+                    raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+    except TimeoutError as error:
+        raise HTTPException(408, f"the body took longer than {LONGEST_UPLOAD:g} s") from error
+    return bytes(body)
+
+
+def parse_named(body: bytes, names: Collection[str]) -> dict[str, Any]:
+    """Return a JSON object; `RefusedParametersError` if it gives one of the `names` twice."""
     value = parse_object(body)
     if errors := _repeated(body, names):
         raise RefusedParametersError(errors)
     return value
 
 
-async def read_small_json(request: Request) -> dict[str, Any]:
-    """Return the JSON object in a body of at most `LARGEST_SMALL_BODY`; as of `read_json`.
-
-    Giving any key of any object twice is refused.
-    """
-    body = await _read_body(request, LARGEST_SMALL_BODY)
+def parse_nested(body: bytes) -> dict[str, Any]:
+    """Return a JSON object; `RefusedParametersError` if any object in it gives a key twice."""
     value = parse_object(body)
     try:
         names = dict.fromkeys(repeated_names(_lenient(body, object_pairs_hook=tuple)))
@@ -75,18 +83,6 @@ async def read_small_json(request: Request) -> dict[str, Any]:
     if names:
         raise RefusedParametersError([refusal(name, None, "given once") for name in names])
     return value
-
-
-async def _read_body(request: Request, largest: int) -> bytes:
-    kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
-    if kind != "application/json":
-        raise HTTPException(415, "the body must be application/json")
-    body = bytearray()
-    async for chunk in request.stream():
-        body += chunk
-        if len(body) > largest:
-            raise HTTPException(413, f"the body is larger than {largest:,} bytes")
-    return bytes(body)
 
 
 def parse_object(text: bytes) -> dict[str, Any]:

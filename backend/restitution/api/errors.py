@@ -3,17 +3,18 @@
 import http
 import math
 import reprlib
-from collections import Counter
 from typing import Any
 
 import orjson
 from fastapi import FastAPI, Request, Response
-from fastapi.exceptions import RequestValidationError
 from starlette.exceptions import HTTPException
+from starlette.requests import ClientDisconnect
 
-from restitution.api.ranges import cut_misfits, map_misfits, steps_misfits, table_misfits
+from restitution.api.admission import RETRY_AFTER, SaturatedError
+from restitution.api.metrics import REFUSED
 from restitution.api.schemas import REQUIREMENTS
 from restitution.errors import CostError, ParameterError
+from restitution.interruption import InterruptionError
 
 LONGEST_ECHO = 200
 """Characters of a refused value that are sent back."""
@@ -21,10 +22,10 @@ LONGEST_ECHO = 200
 MOST_ERRORS = 100
 """Entries of a refusal; a refusal is for reading."""
 
-UNKNOWN = "left out: this call has no such parameter"
+TITLES = {499: "Client Closed Request"}
+"""Of statuses that no standard has."""
 
-MISFITS = {"cut": cut_misfits, "map": map_misfits, "steps": steps_misfits, "table": table_misfits}
-"""Last part of an address → what its parameters must be beside each other."""
+UNKNOWN = "left out: this call has no such parameter"
 
 
 class RefusedParametersError(Exception):
@@ -71,7 +72,7 @@ def problem(
     """Return a refusal as ``application/problem+json``."""
     body: dict[str, Any] = {
         "type": "about:blank",
-        "title": http.HTTPStatus(status).phrase,
+        "title": TITLES.get(status) or http.HTTPStatus(status).phrase,
         "status": status,
         "detail": detail,
     }
@@ -123,38 +124,6 @@ def from_validation(found: list[Any]) -> list[dict[str, Any]]:
     return errors
 
 
-def repeated(request: Request) -> list[dict[str, Any]]:
-    """Return the entries for parameters that a query gives more than once."""
-    query = request.query_params
-    counts = Counter(name for name, _ in query.multi_items())
-    return [
-        refusal(name, ", ".join(query.getlist(name)), "given once")
-        for name, count in counts.items()
-        if count > 1
-    ]
-
-
-def misfits(request: Request) -> list[dict[str, Any]]:
-    """Return the entries for parameters of a query that do not suit each other."""
-    find = MISFITS.get(request.url.path.rpartition("/")[2])
-    query = request.query_params
-    return [refusal(name, query.get(name), text) for name, text in (find(query) if find else ())]
-
-
-def refuse_unsuited(request: Request) -> None:
-    """Raise if parameters of a query are repeated or do not suit each other."""
-    if errors := repeated(request) + misfits(request):
-        raise RefusedParametersError(errors)
-
-
-def _validation(request: Request, error: Exception) -> Response:
-    assert isinstance(error, RequestValidationError)
-    errors = from_validation(list(error.errors()))
-    named = {e["parameter"] for e in errors}
-    others = [e for e in misfits(request) if e["parameter"] not in named]
-    return refused(errors + others + repeated(request))
-
-
 def _parameters(_: Request, error: Exception) -> Response:
     assert isinstance(error, RefusedParametersError)
     return refused(error.errors)
@@ -166,7 +135,17 @@ def _parameter(_: Request, error: Exception) -> Response:
 
 
 def _cost(_: Request, error: Exception) -> Response:
+    REFUSED.labels("cost").inc()
     return problem(413, str(error))
+
+
+def _saturated(_: Request, error: Exception) -> Response:
+    return problem(503, f"{error}; ask again", None, **{"Retry-After": str(RETRY_AFTER)})
+
+
+def _interrupted(_: Request, __: Exception) -> Response:
+    """Return what nobody will read: the client has left."""
+    return problem(499, "the client left before the answer")
 
 
 def _http(request: Request, error: Exception) -> Response:
@@ -187,10 +166,12 @@ def _defect(_: Request, __: Exception) -> Response:
 
 
 HANDLERS = {
-    RequestValidationError: _validation,
     RefusedParametersError: _parameters,
     ParameterError: _parameter,
     CostError: _cost,
+    SaturatedError: _saturated,
+    InterruptionError: _interrupted,
+    ClientDisconnect: _interrupted,
     HTTPException: _http,
     Exception: _defect,
 }

@@ -1,11 +1,14 @@
 """The forms of an answer: JSON, JSON with base64 arrays, CSV, NPZ; and its HTTP headers."""
 
-import base64
+import binascii
 import dataclasses
+import functools
 import hashlib
 import io
+import itertools
 import time
-from collections.abc import Callable, Mapping
+import zipfile
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -13,14 +16,21 @@ import numpy as np
 import numpy.typing as npt
 import orjson
 from fastapi import Request, Response
+from starlette.responses import StreamingResponse
 
-from restitution.api.errors import refuse_unsuited
+from restitution.api.admission import admission_of
+from restitution.api.arrays import read_body
+from restitution.api.metrics import COMPUTE, METHOD
 from restitution.api.schemas import FormQuery, NoQuery, TableQuery
+from restitution.api.transport import COMPRESSED
 from restitution.mechanics.compiled import fingerprint
 from restitution.studies.collision import Energy, Estimates, Sensitivity
 
 PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
 """Changes with any source of the package, and so with any answer."""
+
+ROWS = 10_000
+"""Of a table that are written at a time, and numbers of an array that are sent by themselves."""
 
 PARTS = {"energy": Energy, "estimates": Estimates, "sensitivity": Sensitivity}
 """Keys whose values have keys of their own, and columns of a table even where they are null."""
@@ -51,29 +61,64 @@ class Result:
     texts: Mapping[str, Callable[[], str]] = dataclasses.field(default_factory=dict)
 
 
-def respond(
+async def respond(
     request: Request,
     query: FormQuery | NoQuery | TableQuery,
     compute: Callable[[], Result],
     version: str = PROGRAM_VERSION,
+    *,
+    quick: bool = False,
 ) -> Response:
     """Return the answer to `query` in its form, or 304 if the client has it already.
 
-    `version` stands for everything else that the answer depends on.
+    `version` stands for everything else that the answer depends on; `quick` says that computing
+    and writing it takes no more than some milliseconds.
     """
-    refuse_unsuited(request)
     tag = entity_tag(request.url.path, query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    known = [
-        t.strip().removeprefix("W/") for t in request.headers.get("if-none-match", "").split(",")
-    ]
-    if tag in known or "*" in known:
-        return Response(None, 304, headers)
+    if known := known_tag(tag, request.headers.get("if-none-match", "")):
+        return Response(None, 304, headers | {"ETag": known})
+    work = functools.partial(_computed, request, query, compute, headers)
+    admission = admission_of(request)
+    # before that it might have to wait for a kernel to be compiled
+    if quick and request.app.state.warm.is_set():
+        return await admission.quickly(work)
+    return await admission.in_thread(request, work)
+
+
+async def respond_to_body(
+    request: Request, form: FormQuery, largest: int, compute: Callable[[bytes], Result]
+) -> Response:
+    """Return what `compute` makes of the JSON in the body, of at most `largest` bytes."""
+    body = await read_body(request, largest)
+    headers = {"Cache-Control": "no-store"}
+    work = functools.partial(_computed, request, form, lambda: compute(body), headers)
+    return await admission_of(request).in_thread(request, work)
+
+
+def _computed(
+    request: Request,
+    form: FormQuery | NoQuery | TableQuery,
+    compute: Callable[[], Result],
+    headers: dict[str, str],
+) -> Response:
+    """Return an answer in its form, with the time that computing it took."""
     begin = time.perf_counter()
     result = compute()
-    elapsed = 1e3 * (time.perf_counter() - begin)
-    headers["Server-Timing"] = f"compute;dur={elapsed:.3f}"
-    return formed(result, query.format, query.encoding, headers)
+    elapsed = time.perf_counter() - begin
+    COMPUTE.labels(request.url.path.rpartition("/")[2]).observe(elapsed)
+    if (method := result.payload.get("method")) is not None:
+        METHOD.labels(method if isinstance(method, str) else "list").inc()
+    headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"
+    return formed(result, form.format, form.encoding, headers)
+
+
+def known_tag(tag: str, header: str) -> str | None:
+    """Return `tag` as If-None-Match has it, compressed or not, None if it is not there."""
+    names = {name.strip().removeprefix("W/") for name in header.split(",")}
+    if compressed := {tag.removesuffix('"') + COMPRESSED} & names:
+        return compressed.pop()
+    return tag if names & {tag, "*"} else None
 
 
 def entity_tag(path: str, query: FormQuery | NoQuery | TableQuery, version: str) -> str:
@@ -91,13 +136,20 @@ def formed(
         return Response(content, 200, dict(headers or {}), kind)
     match form:
         case "csv":
-            content, kind = as_csv(result.table()), "text/csv; charset=utf-8"
+            return _in_blocks(csv_blocks(result.table()), headers, "text/csv; charset=utf-8")
         case "npz":
             arrays = result.arrays() if result.arrays else result.payload
-            content, kind = as_npz(arrays), "application/x-npz"
-        case _:
-            content, kind = as_json(result.payload, encoding), "application/json"
-    return Response(content, 200, dict(headers or {}), kind)
+            return _in_blocks(npz_blocks(arrays), headers, "application/x-npz")
+    content = as_json(result.payload, encoding)
+    return Response(content, 200, dict(headers or {}), "application/json")
+
+
+def _in_blocks(blocks: Iterator[bytes], headers: Mapping[str, str] | None, kind: str) -> Response:
+    """Return an answer written block by block, in one piece if the second block is its last."""
+    first = list(itertools.islice(blocks, 3))
+    if len(first) < 3:
+        return Response(b"".join(first), 200, dict(headers or {}), kind)
+    return StreamingResponse(itertools.chain(first, blocks), 200, dict(headers or {}), kind)
 
 
 def as_json(payload: Payload, encoding: str) -> bytes:
@@ -131,23 +183,35 @@ def _typed(value: object) -> object:
     return _listed(value)
 
 
-def typed_array(values: npt.NDArray[Any]) -> dict[str, str]:
+def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
     """Return an array as Plotly takes it: dtype, shape, little-endian base64."""
-    if values.dtype.kind == "f":
+    if values.dtype.kind == "f" and not np.isfinite(values).all():
         values = np.where(np.isfinite(values), values, np.nan)
     little = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
-    return {
-        "dtype": f"{values.dtype.kind}{values.dtype.itemsize}",
-        "shape": ",".join(map(str, values.shape)),
-        "bdata": base64.b64encode(little.data).decode(),
-    }
+    shape = ",".join(map(str, values.shape))
+    # written by hand, for orjson would look through every character of the base64
+    return orjson.Fragment(
+        b'{"dtype":"%c%d","shape":"%b","bdata":"%b"}'
+        % (
+            ord(values.dtype.kind),
+            values.dtype.itemsize,
+            shape.encode(),
+            binascii.b2a_base64(little.data, newline=False),
+        )
+    )
 
 
-def as_csv(table: Table) -> bytes:
-    """Return a header row and one row per element of the columns (N,); None and NaN are empty."""
-    columns = [_texts(_counted(name, column)) for name, column in table.items()]
-    rows = b"\n".join(map(b",".join, zip(*columns, strict=True)))
-    return b",".join(name.encode() for name in table) + b"\n" + rows + b"\n"
+def csv_blocks(table: Table) -> Iterator[bytes]:
+    """Yield a header row and then the rows of the columns (N,), many at a time.
+
+    None and NaN are empty.
+    """
+    yield b",".join(name.encode() for name in table) + b"\n"
+    length = len(next(iter(table.values())))
+    for begin in range(0, length, ROWS):
+        part = slice(begin, begin + ROWS)
+        columns = [_texts(_counted(name, column[part])) for name, column in table.items()]
+        yield b"\n".join(map(b",".join, zip(*columns, strict=True))) + b"\n"
 
 
 def _texts(column: npt.NDArray[Any] | list[Any]) -> list[bytes]:
@@ -167,6 +231,11 @@ def _text(value: object) -> bytes:
     return quoted.encode()
 
 
+def _fields(value: Any) -> Payload:
+    """Return the fields of a dataclass; `vars` may hold cached properties as well."""
+    return {field.name: getattr(value, field.name) for field in dataclasses.fields(value)}
+
+
 def flattened(payload: Payload, prefix: str = "") -> Payload:
     """Return `payload` with nested keys joined by dots, without the list of episodes."""
     flat: Payload = {}
@@ -176,7 +245,7 @@ def flattened(payload: Payload, prefix: str = "") -> Payload:
                 f"{prefix}{name}.{part.name}": None for part in dataclasses.fields(PARTS[name])
             }
         elif dataclasses.is_dataclass(value):
-            flat |= flattened(vars(value), f"{prefix}{name}.")
+            flat |= flattened(_fields(value), f"{prefix}{name}.")
         elif isinstance(value, dict):
             flat |= flattened(value, f"{prefix}{name}.")
         elif name != "episodes":
@@ -184,12 +253,32 @@ def flattened(payload: Payload, prefix: str = "") -> Payload:
     return flat
 
 
-def as_npz(payload: Payload) -> bytes:
-    """Return one array per key; what does not exist is NaN."""
-    arrays = {
-        name: np.asarray(np.nan if value is None else value)
-        for name, value in flattened(payload).items()
-    }
-    buffer = io.BytesIO()
-    np.savez(buffer, **arrays)  # type: ignore[arg-type] # its stub takes names for options
-    return buffer.getvalue()
+class _Sink(io.RawIOBase):
+    """A file that cannot be gone back in; what was written to it is taken away."""
+
+    def __init__(self) -> None:
+        self._parts: list[bytes] = []
+
+    def writable(self) -> bool:
+        return True
+
+    def write(self, data: Any) -> int:
+        self._parts.append(bytes(data))
+        return len(data)
+
+    def take(self) -> bytes:
+        taken, self._parts = b"".join(self._parts), []
+        return taken
+
+
+def npz_blocks(payload: Payload) -> Iterator[bytes]:
+    """Yield one array per key, as `numpy.savez` would write them; what does not exist is NaN."""
+    sink = _Sink()
+    with zipfile.ZipFile(sink, "w") as archive:
+        for name, value in flattened(payload).items():
+            array = np.asarray(np.nan if value is None else value)
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as entry:
+                np.lib.format.write_array(entry, array, allow_pickle=False)
+            if array.size > ROWS:
+                yield sink.take()
+    yield sink.take()

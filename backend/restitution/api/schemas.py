@@ -1,5 +1,6 @@
 """What a request may say: names, ranges, and the words in which a refusal states them."""
 
+import functools
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from pydantic import (
@@ -15,7 +16,7 @@ from pydantic_core import PydanticCustomError
 from restitution.api.ranges import CUT, table_scales
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.methods.answer import Options
-from restitution.methods.planner import METHODS
+from restitution.methods.planner import METHODS, is_quick
 from restitution.studies import batch, collision, trace
 from restitution.studies.axis import Axis
 from restitution.studies.parameters import CollisionParameters
@@ -109,7 +110,7 @@ class Request(BaseModel):
         Finite, stated("floor", "from -1 to 1", "ε₀ of `pragmatic`"), Field(ge=-1, le=1)
     ] = 0.0
 
-    @property
+    @functools.cached_property
     def options(self) -> Options:
         """What the methods take of it."""
         return Options(
@@ -162,10 +163,15 @@ class CollisionQuery(Formed):
         str, _words(collision.QUANTITIES), Field(description=_choice(collision.QUANTITIES))
     ] = ",".join(collision.QUANTITIES)
 
-    @property
+    @functools.cached_property
     def parameters(self) -> CollisionParameters:
         """The collision itself."""
         return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
+
+    @property
+    def is_quick(self) -> bool:
+        """Whether it is computed in some milliseconds."""
+        return is_quick(self.kappa, self.parameters.psi, self.options)
 
 
 class TraceQuery(CollisionQuery):

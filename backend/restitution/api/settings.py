@@ -1,12 +1,14 @@
 """What an administrator may set: environment variables that begin with RESTITUTION_."""
 
+import os
 from pathlib import Path
 
+from pydantic import Field
 from pydantic_settings import BaseSettings, SettingsConfigDict
 
 
 class Settings(BaseSettings):
-    """Settings of the service."""
+    """Settings of the service; docs/deployment.md says when to change them."""
 
     model_config = SettingsConfigDict(env_prefix="RESTITUTION_")
 
@@ -15,3 +17,18 @@ class Settings(BaseSettings):
 
     tradeoff_runs: bool = False
     """Whether anyone may have the methods measured anew: half a minute of a core at a time."""
+
+    workers: int = Field(1, ge=1)
+    """Processes that serve, each with its own lines of waiting requests."""
+
+    most_quick: int = Field(128, ge=1)
+    """Requests of under some milliseconds that wait in one process; more are answered 503."""
+
+    most_long: int = Field(os.cpu_count() or 1, ge=1)
+    """Longer computations at the same time in one process; by default one for each core."""
+
+    most_waiting: int = Field(32, ge=0)
+    """Longer computations that wait in one process; more are answered 503."""
+
+    log_requests: bool = False
+    """Whether every request is logged; else those that are refused for saturation or fail."""

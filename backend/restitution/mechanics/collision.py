@@ -5,17 +5,19 @@ divided by μ/α. ε_t = u(t_c)/u(0) (Eq. 7): +1 for smooth spheres, −1 for ge
 use the opposite sign.
 """
 
+import contextvars
 import functools
 import math
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import require
+from restitution.interruption import pause
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import (
     CONTACT_DURATION,
@@ -36,6 +38,9 @@ from restitution.mechanics.switching import (
     sticking_end_after_compression,
     sticking_end_in_decompression,
 )
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
 
 WEAKEST = 1e-100
 """ψ below which ε_t, the switches and u/ψ no longer depend on it, to double precision.
@@ -81,6 +86,34 @@ class Collision(NamedTuple):
 def workers() -> ThreadPoolExecutor:
     """Return the threads that share large arrays; the kernels hold no interpreter lock."""
     return ThreadPoolExecutor(os.cpu_count())
+
+
+def in_threads(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
+    """Return what `work` makes of every item, shared among the processor's cores.
+
+    Raises
+    ------
+    InterruptionError
+        Between two items, if this thread's work was called off.
+    """
+    # each item in a context of its own, for one cannot be entered twice at a time
+    tasks = [(contextvars.copy_context(), item) for item in items]
+
+    def run(task: tuple[contextvars.Context, Item]) -> Result:
+        context, item = task
+        context.run(pause)
+        return context.run(work, item)
+
+    return list(workers().map(run, tasks))
+
+
+def in_parts(fill: Callable[[int], None], size: int) -> None:
+    """Call `fill` with the beginning of each part of `size` collisions; as of `in_threads`."""
+    if size <= PART:
+        pause()
+        fill(0)
+    else:
+        in_threads(fill, range(0, size, PART))
 
 
 @compiled
@@ -303,10 +336,7 @@ def collide_in_parts(
     def fill(begin: int) -> None:
         each(*(column[begin : begin + PART] for column in columns))
 
-    if kappas.size <= PART:
-        fill(0)
-    else:
-        list(workers().map(fill, range(0, kappas.size, PART)))
+    in_parts(fill, kappas.size)
     shape = kappas.shape
     return Collision(
         epsilon_t.reshape(shape),

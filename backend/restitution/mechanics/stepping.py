@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from restitution.mechanics.collision import WEAKEST, workers
+from restitution.mechanics.collision import PART, WEAKEST, in_parts
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.viscoelastic import contact_duration
@@ -27,9 +27,6 @@ and after it by the old one."""
 LOCK_STEP = 256
 """Collisions that advance together: their state stays in the first cache, and the loop over them
 is what a processor does four or eight at a time."""
-
-PART = 4096
-"""Collisions that one thread takes at a time."""
 
 
 class Stepped(NamedTuple):
@@ -221,10 +218,7 @@ def step_collisions(
             switches[part],
         )
 
-    if kappa.size <= PART:
-        fill(0)
-    else:
-        list(workers().map(fill, range(0, kappa.size, PART)))
+    in_parts(fill, kappa.size)
     switches[(psi == 0.0) | (psi == np.inf)] = 0
     return Stepped(velocity / start, switches)
 

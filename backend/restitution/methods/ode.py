@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError
+from restitution.interruption import pause
 from restitution.mechanics.collision import WEAKEST
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.viscoelastic import contact_duration
@@ -188,6 +189,7 @@ def integrate(
     """
     from scipy.integrate import solve_ivp  # noqa: PLC0415 - a third of a second at each start
 
+    pause()
     contact = _Contact(kappa, psi, rtol, most_evaluations, damping)
     duration = contact_duration(damping)
     leave = _terminal(contact.leaves)

@@ -1,11 +1,18 @@
 """The cheapest method that meets the tolerance, per collision."""
 
 from collections.abc import Callable, Collection
+from typing import Any
 
 import numpy as np
+import numpy.typing as npt
 
 from restitution.errors import ParameterError
-from restitution.mechanics.collision import TOO_STIFF, Collision
+from restitution.mechanics.collision import (
+    MOST_SWITCHES,
+    TOO_STIFF,
+    Collision,
+    expected_switches,
+)
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_limit
 from restitution.methods import coulomb, exact, ode, stiff, table, timestep
@@ -20,6 +27,8 @@ METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
     "timestep": timestep.solve,
     "ode": ode.solve,
 }
+
+QUICK_SECONDS = 2e-3
 
 EPSILON_T_ALONE = frozenset(
     {"epsilon_t", "epsilon_n", "coulomb", "stiff_bound", "stiff_asymptote", "estimates"}
@@ -80,7 +89,8 @@ def _cheapest_damped(kappa: FloatArray, psi: FloatArray, options: Options) -> An
     found = exact.follow(kappa, psi, options.damping, 0.0)
     needed = np.flatnonzero(found.error_bound > options.tolerance)
     fine = exact.follow_affordable(kappa[needed], psi[needed], options.damping, options.share)
-    for column, followed in zip(found, fine, strict=True):
+    columns: tuple[npt.NDArray[Any], ...] = found
+    for column, followed in zip(columns, fine, strict=True):
         column[needed] = followed
     return _named(found, options)
 
@@ -109,3 +119,17 @@ def _cheapest(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     switches[needed], certain[needed] = fine.switches, fine.switches_certain
     method[needed] = np.where(fine.switches == TOO_STIFF, "stiff", "exact")
     return Answer(epsilon_t, bound, method, switches, certain)
+
+
+def is_quick(kappa: float, psi: float, options: Options) -> bool:
+    """Return whether one collision is answered within two milliseconds of one core.
+
+    The table may have to be built first, and the general solver takes longer at its best.
+    """
+    if options.method in {"table", "ode"}:
+        return False
+    switches = expected_switches(kappa, psi)
+    switches = switches if switches <= MOST_SWITCHES else 0.0
+    steps = options.steps if options.method == "timestep" else 0
+    dearer = exact.DEARER_BY_DAMPING if options.damping else 1.0
+    return 2e-7 * dearer * switches + 1.5e-8 * steps < QUICK_SECONDS

@@ -77,12 +77,18 @@ def study_batch(
         If a method asked for by name would cost too much, or for too many different η.
     """
     options = options or Options()
-    etas = np.asarray(options.damping if damping is None else damping, dtype=np.float64)
-    check(kappa, mu_over_alpha, gt_over_gn, etas)
+    kappas, frictions, tangentials, etas = (
+        np.asarray(value, dtype=np.float64)
+        for value in (
+            kappa,
+            mu_over_alpha,
+            gt_over_gn,
+            options.damping if damping is None else damping,
+        )
+    )
+    check(kappas, frictions, tangentials, etas)
     kappas, psis, many = np.broadcast_arrays(
-        np.atleast_1d(np.asarray(kappa, dtype=np.float64)),
-        scaled_velocity(mu_over_alpha, gt_over_gn),
-        etas,
+        np.atleast_1d(kappas), scaled_velocity(frictions, tangentials), etas
     )
     # copies, for numba warns of arrays that were broadcast
     kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")

@@ -128,7 +128,9 @@ def study_collision(
     >>> study_collision(CollisionParameters(63.0, 1.4, 1.358)).switches
     8
     """
-    options = replace(options or Options(), damping=parameters.damping)
+    options = options or Options()
+    if options.damping != parameters.damping:
+        options = replace(options, damping=parameters.damping)
     wanted = frozenset(quantities)
     psi = parameters.psi
     answer = planner.solve(np.array([parameters.kappa]), np.array([psi]), wanted, options)

@@ -1,5 +1,7 @@
 """The three parameters of a collision, and the two that it depends on."""
 
+import functools
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -53,27 +55,25 @@ class CollisionParameters:
     def __post_init__(self) -> None:
         check(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
 
-    @property
+    @functools.cached_property
     def psi(self) -> float:
         """ψ = (α/μ)(g_t/g_n)."""
         return float(scaled_velocity(self.mu_over_alpha, self.gt_over_gn))
 
 
 def check(
-    kappa: npt.ArrayLike,
-    mu_over_alpha: npt.ArrayLike,
-    gt_over_gn: npt.ArrayLike,
-    damping: npt.ArrayLike = 0.0,
+    kappa: float | FloatArray,
+    mu_over_alpha: float | FloatArray,
+    gt_over_gn: float | FloatArray,
+    damping: float | FloatArray = 0.0,
 ) -> None:
     """Raise `ParameterError` unless κ > 0, μ/α, g_t/g_n, η ≥ 0, all finite; of any shape.
 
     η beyond `MOST_DAMPING` is refused as well.
     """
-    kappas = np.asarray(kappa, dtype=np.float64)
-    require("kappa", kappas, np.isfinite(kappas) & (kappas > 0), "finite and > 0")
+    # plain comparisons: for the numbers of one collision arrays would take longer than it does
+    require("kappa", kappa, (kappa > 0.0) & (kappa < math.inf), "finite and > 0")
     for name, value in (("mu_over_alpha", mu_over_alpha), ("gt_over_gn", gt_over_gn)):
-        values = np.asarray(value, dtype=np.float64)
-        require(name, values, np.isfinite(values) & (values >= 0), "finite and ≥ 0")
-    etas = np.asarray(damping, dtype=np.float64)
-    allowed = (etas >= 0) & (etas <= MOST_DAMPING)
-    require("damping", etas, allowed, f"from 0 to {MOST_DAMPING:g}, up to which it is followed")
+        require(name, value, (value >= 0.0) & (value < math.inf), "finite and ≥ 0")
+    allowed = (damping >= 0.0) & (damping <= MOST_DAMPING)
+    require("damping", damping, allowed, f"from 0 to {MOST_DAMPING:g}, up to which it is followed")

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from restitution.mechanics.collision import workers
+from restitution.mechanics.collision import in_threads
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
 from restitution.mechanics.viscoelastic import contact_duration
@@ -114,7 +114,7 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
     rungs = list(itertools.product(integrators, LADDER))
     # the longest first, so that no thread is left with it at the end
     spreads = dict(
-        workers().map(
+        in_threads().map(
             lambda rung: (rung, _spread(parts, rung[0], rung[1], phases)),
             sorted(rungs, key=lambda rung: -rung[1]),
         )

@@ -117,3 +117,35 @@ test("a server that is busy, gone or breaks off may be asked again", async () =>
     await assert.rejects(client.trace(COLLISION), Unreachable);
   }
 });
+
+test("a crowded server is asked once more, not before it says, and not for whom it no longer matters", async (t) => {
+  t.mock.timers.enable({ apis: ["setTimeout"] });
+  const statuses = [503, 200, 503, 503, 503];
+  let asked = 0;
+  const fetch = async () =>
+    new Response("{}", { status: statuses[asked++], headers: { "retry-after": "1" } });
+  const turn = () => new Promise((resolve) => setImmediate(resolve));
+  const client = createClient({ fetch });
+
+  const answer = client.trace(COLLISION);
+  await turn();
+  t.mock.timers.tick(999);
+  await turn();
+  assert.equal(asked, 1);
+  t.mock.timers.tick(1001);
+  await answer;
+  assert.equal(asked, 2);
+
+  const inVain = client.trace(COLLISION);
+  await turn();
+  t.mock.timers.tick(2000);
+  await assert.rejects(inVain, Unreachable);
+  assert.equal(asked, 4);
+
+  const controller = new AbortController();
+  const forgotten = client.trace(COLLISION, controller.signal);
+  await turn();
+  controller.abort();
+  await assert.rejects(forgotten, Unreachable);
+  assert.equal(asked, 5);
+});

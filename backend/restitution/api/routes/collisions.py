@@ -1,6 +1,5 @@
 """Collisions: one, its trace, along a cut, over a map, many at once."""
 
-import time
 from collections.abc import Iterable
 from itertools import islice
 from typing import Annotated, Any
@@ -8,18 +7,24 @@ from typing import Annotated, Any
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
-from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json, refuse_more_points
+from restitution.api.arrays import (
+    LARGEST_BODY,
+    MOST_ITEMS,
+    Allowed,
+    number_array,
+    parse_named,
+    refuse_more_points,
+)
 from restitution.api.errors import (
     MOST_ERRORS,
     UNKNOWN,
     RefusedParametersError,
     from_validation,
     refusal,
-    refuse_unsuited,
 )
-from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.forms import Payload, Result, flattened, respond, respond_to_body
+from restitution.api.query import QueryRoute
 from restitution.api.schemas import (
     REQUIREMENTS,
     CollisionQuery,
@@ -38,7 +43,7 @@ from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
 from restitution.studies.trace import study_trace
 
-router = APIRouter(prefix="/api/v1", tags=["collisions"])
+router = APIRouter(prefix="/api/v1", tags=["collisions"], route_class=QueryRoute)
 
 ALLOWED: dict[str, Allowed] = {
     "kappa": lambda values: values > 0.0,
@@ -52,9 +57,17 @@ SINGLE = CollisionsBody.model_fields.keys() - ALLOWED.keys()
 """Parameters of ``POST /collisions`` that may not."""
 
 
+FORM = {"format", "encoding", "quantities", "episode_limit"}
+"""Parameters of a query that are not the collision's."""
+
+QUICK_SAMPLES = 2000
+"""Of a trace: with all its columns three milliseconds, most of them for writing it."""
+
+
 def _understood(query: Formed, **more: Any) -> Payload:
     """Return the parameters as understood."""
-    return query.model_dump(exclude={"format", "encoding", "quantities", "episode_limit"}) | more
+    names = type(query).model_fields
+    return {name: getattr(query, name) for name in names if name not in FORM} | more
 
 
 def _collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
@@ -74,7 +87,7 @@ def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
 
 
 @router.get("/collision")
-def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Response:
+async def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Response:
     """Return what comes out of one collision and how it goes."""
 
     def compute() -> Result:
@@ -82,11 +95,11 @@ def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Re
         payload = _collision_payload(query, study)
         return Result(payload, lambda: {n: [v] for n, v in flattened(payload).items()})
 
-    return respond(request, query, compute)
+    return await respond(request, query, compute, quick=query.is_quick)
 
 
 @router.get("/trace")
-def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
+async def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
     """Return forces, velocities and the spring over time."""
 
     def compute() -> Result:
@@ -97,11 +110,12 @@ def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
         payload |= {**study.columns, "switch_times": study.switch_times, **study.method_columns}
         return Result(payload, lambda: study.columns)
 
-    return respond(request, query, compute)
+    quick = query.samples <= QUICK_SAMPLES and query.is_quick
+    return await respond(request, query, compute, quick=quick)
 
 
 @router.get("/cut")
-def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
+async def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws along one parameter."""
 
     def compute() -> Result:
@@ -120,11 +134,11 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
         }
         return Result(payload, lambda: {study.along: study.values, **study.batch.columns})
 
-    return respond(request, query, compute)
+    return await respond(request, query, compute)
 
 
 @router.get("/map")
-def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
+async def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
     kappa, tangential = query.axes
     refuse_more_points(kappa.count, tangential.count)
@@ -146,27 +160,17 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
             },
         )
 
-    return respond(request, query, compute)
+    return await respond(request, query, compute)
 
 
 @router.post("/collisions")
 async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t and switches of many collisions, in the order of the parameters."""
-    refuse_unsuited(request)
-    body = await read_json(request, (*ALLOWED, *SINGLE))
-    begin = time.perf_counter()
-    result = await run_in_threadpool(_collide_many, body)
-    elapsed = 1e3 * (time.perf_counter() - begin)
-    return await run_in_threadpool(
-        formed,
-        result,
-        form.format,
-        form.encoding,
-        {"Server-Timing": f"compute;dur={elapsed:.3f}", "Cache-Control": "no-store"},
-    )
+    return await respond_to_body(request, form, LARGEST_BODY, _collide_many)
 
 
-def _collide_many(body: dict[str, Any]) -> Result:
+def _collide_many(text: bytes) -> Result:
+    body = parse_named(text, (*ALLOWED, *SINGLE))
     _refuse_too_many(len(value) for value in body.values() if isinstance(value, list))
     arrays, errors = {}, []
     for name, allowed in ALLOWED.items():

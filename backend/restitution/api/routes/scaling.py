@@ -1,18 +1,15 @@
 """Real bodies: one impact in SI units, materials worth a look."""
 
-import time
-from collections.abc import Callable
 from dataclasses import asdict
 from typing import Annotated, Any
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
-from starlette.concurrency import run_in_threadpool
 
-from restitution.api.arrays import read_small_json, refuse_more_points
+from restitution.api.arrays import LARGEST_SMALL_BODY, parse_nested, refuse_more_points
 from restitution.api.bodies import read_map, read_scaling
-from restitution.api.errors import refuse_unsuited
-from restitution.api.forms import Payload, Result, flattened, formed, respond
+from restitution.api.forms import Payload, Result, flattened, respond, respond_to_body
+from restitution.api.query import QueryRoute
 from restitution.api.routes.collisions import batch_payload
 from restitution.api.schemas import FormQuery, NoQuery
 from restitution.studies.materials import MATERIALS, Material
@@ -20,7 +17,7 @@ from restitution.studies.parameters import CONVENTION
 from restitution.studies.spheres import ScalingStudy, study_scaling
 from restitution.studies.velocity_map import study_velocity_map
 
-router = APIRouter(prefix="/api/v1", tags=["real spheres"])
+router = APIRouter(prefix="/api/v1", tags=["real spheres"], route_class=QueryRoute)
 
 AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
 
@@ -34,19 +31,6 @@ def _described(*names: str, **more: Any) -> dict[str, Any]:
 
 
 CONTACT = ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
-
-
-async def _answer(
-    request: Request, form: FormQuery, compute: Callable[[dict[str, Any]], Result]
-) -> Response:
-    """Return what `compute` makes of the JSON object in the body."""
-    refuse_unsuited(request)
-    body = await read_small_json(request)
-    begin = time.perf_counter()
-    result = await run_in_threadpool(compute, body)
-    elapsed = 1e3 * (time.perf_counter() - begin)
-    headers = {"Server-Timing": f"compute;dur={elapsed:.3f}", "Cache-Control": "no-store"}
-    return await run_in_threadpool(formed, result, form.format, form.encoding, headers)
 
 
 def scaling_payload(study: ScalingStudy) -> Payload:
@@ -70,15 +54,15 @@ def _row(payload: Payload) -> Payload:
 async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return what comes out of a collision of real bodies, in SI units and scaled."""
 
-    def compute(body: dict[str, Any]) -> Result:
-        payload = scaling_payload(study_scaling(*read_scaling(body)))
+    def compute(body: bytes) -> Result:
+        payload = scaling_payload(study_scaling(*read_scaling(parse_nested(body))))
         return Result(
             payload,
             lambda: {name: [value] for name, value in _row(payload).items()},
             lambda: _row(payload),
         )
 
-    return await _answer(request, form, compute)
+    return await respond_to_body(request, form, LARGEST_SMALL_BODY, compute)
 
 
 @router.post(
@@ -94,8 +78,8 @@ async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Resp
 async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t of real bodies over both velocities, as arrays [tangential][normal]."""
 
-    def compute(body: dict[str, Any]) -> Result:
-        wanted = read_map(body)
+    def compute(body: bytes) -> Result:
+        wanted = read_map(parse_nested(body))
         axes = wanted.normal_velocity, wanted.tangential_velocity
         refuse_more_points(axes[0].count, axes[1].count)
         study = study_velocity_map(wanted.contact, *axes, wanted.quantities, wanted.options)
@@ -117,7 +101,7 @@ async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) ->
             },
         )
 
-    return await _answer(request, form, compute)
+    return await respond_to_body(request, form, LARGEST_SMALL_BODY, compute)
 
 
 def _item(material: Material) -> Payload:
@@ -126,6 +110,10 @@ def _item(material: Material) -> Payload:
 
 
 @router.get("/materials", response_model=dict[str, list[Material]])
-def materials(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
+async def materials(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
     """Return real bodies worth a look, each a valid body of ``/scaling``."""
-    return respond(request, query, lambda: Result({"items": [*map(_item, MATERIALS)]}, dict))
+
+    def compute() -> Result:
+        return Result({"items": [*map(_item, MATERIALS)]}, dict)
+
+    return await respond(request, query, compute, quick=True)

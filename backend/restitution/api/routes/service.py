@@ -6,26 +6,28 @@ from fastapi import APIRouter, Query, Request, Response
 
 from restitution.api.errors import problem
 from restitution.api.forms import Result, respond
+from restitution.api.query import QueryRoute
 from restitution.api.schemas import NoQuery
 from restitution.studies.presets import PRESETS, Preset
 
-router = APIRouter()
+router = APIRouter(route_class=QueryRoute)
+health = APIRouter(tags=["service"])
 
 
 @router.get("/api/v1/presets", tags=["presets"], response_model=dict[str, list[Preset]])
-def presets(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
+async def presets(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
     """Return collisions worth a look."""
-    return respond(request, query, lambda: Result({"items": list(PRESETS)}, dict))
+    return await respond(request, query, lambda: Result({"items": list(PRESETS)}, dict), quick=True)
 
 
-@router.get("/healthz", tags=["service"])
-def healthz() -> dict[str, str]:
+@health.get("/healthz")
+async def healthz() -> dict[str, str]:
     """Return that the process answers."""
     return {"status": "ok"}
 
 
-@router.get("/readyz", tags=["service"], response_model=None)
-def readyz(request: Request) -> dict[str, Any] | Response:
+@health.get("/readyz", response_model=None)
+async def readyz(request: Request) -> dict[str, Any] | Response:
     """Return that the kernels are compiled."""
     if request.app.state.ready.is_set():
         return {"status": "ready"}

@@ -7,6 +7,7 @@ from fastapi import APIRouter, Query, Request, Response
 
 from restitution.api.arrays import refuse_more_points
 from restitution.api.forms import Payload, Result, respond
+from restitution.api.query import QueryRoute
 from restitution.api.schemas import TableQuery
 from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
@@ -17,7 +18,7 @@ from restitution.studies.table_grid import TableGrid
 MOST_SECONDS = 5.0
 """Of one core, for one request."""
 
-router = APIRouter(prefix="/api/v1", tags=["table"])
+router = APIRouter(prefix="/api/v1", tags=["table"], route_class=QueryRoute)
 
 
 def table_result(table: RestitutionTable) -> Result:
@@ -55,7 +56,7 @@ def table_result(table: RestitutionTable) -> Result:
 
 
 @router.get("/table")
-def table(request: Request, query: Annotated[TableQuery, Query()]) -> Response:
+async def table(request: Request, query: Annotated[TableQuery, Query()]) -> Response:
     """Return ε_t over κ and ψ for other codes: CSV, NPZ, a C header or a Python module.
 
     `damping` holds for all entries, or is a third axis up to `damping_max`.
@@ -72,4 +73,4 @@ def table(request: Request, query: Annotated[TableQuery, Query()]) -> Response:
             found = study_table_within(query.error, *asked, seconds=MOST_SECONDS)
         return table_result(found)
 
-    return respond(request, query, compute)
+    return await respond(request, query, compute)

@@ -8,8 +8,8 @@ import orjson
 from fastapi import APIRouter, Query, Request, Response
 from starlette.exceptions import HTTPException
 
-from restitution.api.errors import refuse_unsuited
 from restitution.api.forms import PROGRAM_VERSION, Payload, Result, respond
+from restitution.api.query import QueryRoute
 from restitution.api.runs import Run, Runs
 from restitution.api.schemas import NoQuery, RunQuery, StepsQuery, TradeoffQuery
 from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
@@ -17,7 +17,7 @@ from restitution.studies.tradeoff import load_tradeoff
 
 SPREAD = tuple(part.name for part in fields(Spread))
 
-router = APIRouter(prefix="/api/v1", tags=["tradeoff"])
+router = APIRouter(prefix="/api/v1", tags=["tradeoff"], route_class=QueryRoute)
 
 
 def _columns(rows: list[dict[str, Any]]) -> Payload:
@@ -32,7 +32,7 @@ def _columns(rows: list[dict[str, Any]]) -> Payload:
 
 
 @router.get("/tradeoff")
-def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
+async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
     """Return what every method costs and how far it is off on the collisions of a scene."""
     can_run = request.app.state.runs is not None
     stored = {**load_tradeoff()[query.scene], "can_be_measured_anew": can_run}
@@ -41,11 +41,12 @@ def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Resp
         columns = _columns(stored["rows"])
         return Result(stored, lambda: columns, lambda: {**stored, **columns, "rows": len(columns)})
 
-    return respond(request, query, compute, f"{PROGRAM_VERSION} {stored['measured_at']} {can_run}")
+    version = f"{PROGRAM_VERSION} {stored['measured_at']} {can_run}"
+    return await respond(request, query, compute, version, quick=True)
 
 
 @router.get("/steps")
-def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
+async def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
     """Return how many time steps per contact a wanted error takes, by each integrator."""
 
     def compute() -> Result:
@@ -76,11 +77,10 @@ def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
         }
         return Result(payload, lambda: ladder)
 
-    return respond(request, query, compute)
+    return await respond(request, query, compute)
 
 
 def _runs(request: Request) -> Runs:
-    refuse_unsuited(request)
     runs: Runs | None = request.app.state.runs
     if runs is None:
         raise HTTPException(
@@ -111,7 +111,7 @@ def _described(run: Run, status: int = 200) -> Response:
 
 
 @router.post("/tradeoff/runs", status_code=202)
-def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
+async def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
     """Measure a scene anew, in the background."""
     run = _runs(request).start(query.scene)
     if run is None:
@@ -120,13 +120,13 @@ def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
 
 
 @router.get("/tradeoff/runs/{name}")
-def progress(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+async def progress(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
     """Return how far a measurement is, and its result when it is done."""
     return _described(_run(request, name))
 
 
 @router.delete("/tradeoff/runs/{name}")
-def cancel(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+async def cancel(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
     """Cancel a measurement; it stops after the row that it is at."""
     run = _run(request, name)
     run.cancel()

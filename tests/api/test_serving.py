@@ -1,0 +1,172 @@
+"""A real server: several processes, faults, slow clients, its end, and what it tells operators."""
+
+import concurrent.futures
+import json
+import os
+import re
+import signal
+import time
+import urllib.error
+import urllib.request
+
+import pytest
+
+from servers import serving
+
+COLLISION = "/api/v1/collision?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.4"
+LONG = (
+    "/api/v1/map?mu_over_alpha=1&kappa_min=1e3&kappa_max=9e3&kappa_count=1000"
+    "&gt_over_gn_count=200&quantities=switches"
+)
+"""A second or so of both cores."""
+
+
+@pytest.fixture(scope="module")
+def single(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("single")
+    with serving(folder, most_long=1, most_waiting=1, log_requests=True) as server:
+        yield server
+
+
+@pytest.fixture(scope="module")
+def double(tmp_path_factory):
+    with serving(tmp_path_factory.mktemp("double"), workers=2) as server:
+        until(lambda: len(server.children()) == 2)
+        yield server
+
+
+def until(holds, seconds=20.0):
+    deadline = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < deadline, "it never came about"
+        time.sleep(0.05)
+
+
+def test_saturation_is_told_with_the_time_to_come_again(single):
+    with concurrent.futures.ThreadPoolExecutor(6) as pool:
+        asked = [pool.submit(single.get, f"{LONG}&floor=0.{i}") for i in range(6)]
+        found = [future.result() for future in asked]
+    refused = [(headers, body) for status, headers, body in found if status == 503]
+    assert sorted({status for status, _, _ in found}) == [200, 503]
+    for headers, body in refused:
+        assert headers["content-type"] == "application/problem+json"
+        assert int(headers["retry-after"]) >= 1
+        assert json.loads(body)["status"] == 503
+    assert single.metric(r'restitution_requests_refused_total\{reason="saturated"\}') == len(
+        refused
+    )
+
+
+def test_quick_requests_are_served_beside_long_ones(single):
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        long = pool.submit(single.get, f"{LONG}&floor=0.9")
+        begin = time.perf_counter()
+        for _ in range(5):
+            assert single.get(COLLISION)[0] == 200
+        assert not long.done()
+        # five one after another; each may find the other cores busy
+        assert time.perf_counter() - begin < 2.0
+        assert long.result()[0] == 200
+
+
+def test_work_of_a_client_that_hangs_up_stops(single):
+    until(lambda: single.metric("restitution_computations") == 0)
+    connection = single.send(f"GET {LONG}&floor=0.7 HTTP/1.1\r\nHost: x\r\n\r\n")
+    until(lambda: single.metric("restitution_computations") == 1)
+    connection.close()
+    begin = time.perf_counter()
+    until(lambda: single.metric("restitution_computations") == 0)
+    assert time.perf_counter() - begin < 0.5
+
+
+def test_clients_that_send_a_byte_at_a_time_harm_nobody(single):
+    heads = [single.send("G") for _ in range(50)]
+    bodies = [
+        single.send(
+            "POST /api/v1/collisions HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+            "Content-Length: 100\r\n\r\n{"
+        )
+        for _ in range(50)
+    ]
+    for connection in (*heads, *bodies):
+        connection.sendall(b" ")
+    assert single.get(COLLISION)[0] == 200
+    for connection in (*heads, *bodies):
+        connection.close()
+
+
+def test_clients_that_hang_up_in_the_middle_of_an_answer_harm_nobody(single):
+    text = f"GET {LONG}&format=csv HTTP/1.1\r\nHost: x\r\n\r\n"
+    for _ in range(3):
+        connection = single.send(text)
+        connection.recv(100)
+        connection.close()
+    assert single.get(COLLISION)[0] == 200
+    errors = [event for event in single.events() if event["level"] == "error"]
+    assert not errors, errors[0]["exception"]
+
+
+def test_requests_have_ids_that_the_log_repeats(single):
+    name = "0123456789abcdef0123456789abcdef"
+    assert single.get("/api/v1/presets", **{"X-Request-ID": name})[1]["x-request-id"] == name
+    made = single.get("/api/v1/presets", **{"X-Request-ID": "<script>"})[1]["x-request-id"]
+    assert re.fullmatch(r"[0-9a-f]{32}", made)
+    until(lambda: {name, made} <= {event.get("request_id") for event in single.events()})
+    logged = next(event for event in single.events() if event.get("request_id") == name)
+    assert (logged["route"], logged["status"], logged["method"]) == ("/api/v1/presets", 200, "GET")
+
+
+def test_log_holds_nothing_about_who_asked_or_what(single):
+    single.get("/api/v1/collision?kappa=4242.5&mu_over_alpha=1&gt_over_gn=1")
+    single.get("/api/v1/secret-4242.5")
+    text = single.log.read_text()
+    assert "4242.5" not in text
+    assert "127.0.0.1" not in text.replace(single.url, "")
+
+
+def test_metrics_tell_requests_time_method_and_cost_refused(single):
+    single.get(f"{COLLISION}&method=coulomb")
+    single.get("/api/v1/map?mu_over_alpha=1&kappa_count=100000&gt_over_gn_count=100000")
+    assert single.metric(r'restitution_method_chosen_total\{method="coulomb"\}') >= 1
+    assert single.metric(r'restitution_requests_refused_total\{reason="cost"\}') >= 1
+    assert single.metric(r'restitution_compute_seconds_count\{call="collision"\}') >= 1
+    pattern = r'http_requests_total\{handler="/api/v1/map",method="GET",status="413"\}'
+    assert single.metric(pattern) >= 1
+
+
+def test_metrics_of_several_processes_are_added(double):
+    before = double.metric(r'restitution_method_chosen_total\{method="pragmatic"\}')
+    for _ in range(30):
+        double.get(f"{COLLISION}&method=pragmatic")
+    found = double.metric(r'restitution_method_chosen_total\{method="pragmatic"\}')
+    assert found - before == 30
+
+
+def test_a_killed_process_is_replaced_and_the_others_go_on(double):
+    victim = double.children()[0]
+    os.kill(victim, signal.SIGKILL)
+    failures = 0
+    for _ in range(20):
+        try:
+            assert double.get(COLLISION)[0] == 200
+        except (ConnectionError, urllib.error.URLError):
+            failures += 1
+    # a connection that the dead process had taken may be lost, no other
+    assert failures <= 1
+    until(lambda: len(double.children()) == 2 and victim not in double.children())
+    assert double.get("/readyz")[0] in {200, 503}
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_stop_lets_requests_in_flight_finish(tmp_path, workers):
+    with serving(tmp_path, workers=workers) as server:
+        with concurrent.futures.ThreadPoolExecutor(1) as pool:
+            asked = pool.submit(server.get, LONG)
+            until(lambda: server.metric("restitution_computations") >= 1)
+            begin = time.monotonic()
+            server.process.send_signal(signal.SIGTERM)
+            assert asked.result()[0] == 200
+        server.process.wait(timeout=10)
+        assert time.monotonic() - begin < 10
+        with pytest.raises((ConnectionError, urllib.error.URLError)):
+            server.get("/healthz")

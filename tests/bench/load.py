@@ -1,0 +1,304 @@
+"""A real server under load: throughput, a class that drags, soak, footprint.
+
+    python tests/bench/load.py [throughput] [class] [soak]
+
+prints JSON. The generator runs on the same machine; its own CPU time is reported.
+"""
+
+import asyncio
+import json
+import os
+import random
+import re
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import uvloop
+from stored import COLLISION, TRACE
+
+from servers import free_port, wait_until_ready
+
+TICK = os.sysconf("SC_CLK_TCK")
+FRAME = 1.0 / 60.0
+"""A page asks once for each frame that it draws, and never twice at a time."""
+
+MAP = (
+    "/api/v1/map?mu_over_alpha={}&kappa_count=120&gt_over_gn_count=80&tolerance=4e-3"
+    "&encoding=base64"
+)
+DRAGGED = "/api/v1/trace?kappa={}&mu_over_alpha={}&gt_over_gn={}&encoding=base64"
+
+
+class Connection(asyncio.Protocol):
+    """A kept connection, one request at a time."""
+
+    def __init__(self) -> None:
+        self._buffer = bytearray()
+        self._needed = -1
+        self._done: asyncio.Future[int] | None = None
+        self.headers = b""
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self.transport = transport
+
+    def data_received(self, data: bytes) -> None:
+        self._buffer += data
+        if self._needed < 0:
+            end = self._buffer.find(b"\r\n\r\n")
+            if end < 0:
+                return
+            self.headers = bytes(self._buffer[:end]).lower()
+            found = re.search(rb"content-length: (\d+)", self.headers)
+            self._needed = end + 4 + (int(found[1]) if found else 0)
+        if len(self._buffer) >= self._needed and self._done and not self._done.done():
+            self._done.set_result(int(self.headers[9:12]))
+
+    def connection_lost(self, error: Exception | None) -> None:
+        if self._done and not self._done.done():
+            self._done.set_exception(error or ConnectionError("closed"))
+
+    async def get(self, path: str, headers: str = "") -> int:
+        self._buffer.clear()
+        self._needed = -1
+        self._done = asyncio.get_running_loop().create_future()
+        self.transport.write(f"GET {path} HTTP/1.1\r\nHost: x\r\n{headers}\r\n".encode())
+        return await asyncio.wait_for(self._done, 30.0)
+
+
+async def connect(port: int) -> Connection:
+    loop = asyncio.get_running_loop()
+    return (await loop.create_connection(Connection, "127.0.0.1", port))[1]
+
+
+def processes(root: int) -> list[int]:
+    """Return a process and its descendants."""
+    found = [root]
+    for task in Path(f"/proc/{root}/task").iterdir():
+        for child in (task / "children").read_text().split():
+            found += processes(int(child))
+    return found
+
+
+def cpu(root: int) -> float:
+    """Return the CPU seconds of a process and its descendants."""
+    fields = [
+        Path(f"/proc/{n}/stat").read_text().rpartition(")")[2].split() for n in processes(root)
+    ]
+    return sum(int(f[11]) + int(f[12]) for f in fields) / TICK
+
+
+def resident(root: int) -> list[float]:
+    """Return the resident MB of the processes that serve."""
+    texts = [Path(f"/proc/{n}/status").read_text() for n in processes(root)]
+    sizes = [int(re.search(r"VmRSS:\s+(\d+)", text)[1]) / 1024 for text in texts]
+    return [round(size, 1) for size in sizes if size > 60]
+
+
+@contextmanager
+def service(factory: str = "stored:create", workers: int = 1) -> Iterator[tuple[int, int]]:
+    """Yield port and process id of a server that is warm."""
+    port = free_port()
+    with tempfile.TemporaryDirectory() as folder:
+        log = Path(folder, "log")
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join(sys.path)}
+        if workers > 1:
+            environment["PROMETHEUS_MULTIPROC_DIR"] = folder
+        command = [sys.executable, "-m", "uvicorn", "--factory", factory, "--port", str(port)]
+        command += ["--workers", str(workers), "--no-access-log", "--log-level", "warning"]
+        with (
+            log.open("wb") as output,
+            subprocess.Popen(command, stdout=output, stderr=output, env=environment) as process,
+        ):
+            try:
+                wait_until_ready(f"http://127.0.0.1:{port}", process, log)
+                # the table is loaded, too
+                time.sleep(4)
+                yield port, process.pid
+            finally:
+                process.send_signal(signal.SIGTERM)
+                process.wait()
+
+
+async def closed_loop(port: int, path: str, seconds: float, clients: int = 32) -> int:
+    """Return how many requests were answered to clients that ask as fast as they can."""
+    end = time.perf_counter() + seconds
+    count = 0
+
+    async def client() -> None:
+        nonlocal count
+        connection = await connect(port)
+        while time.perf_counter() < end:
+            assert await connection.get(path) == 200
+            count += 1
+
+    await asyncio.gather(*(client() for _ in range(clients)))
+    return count
+
+
+def rate(port: int, pid: int, path: str, seconds: float = 4.0) -> tuple[float, float]:
+    """Return requests per second and per second of server CPU."""
+    before, begin = cpu(pid), time.perf_counter()
+    count = uvloop.run(closed_loop(port, path, seconds))
+    return count / (time.perf_counter() - begin), count / (cpu(pid) - before)
+
+
+def throughput(rounds: int = 3) -> dict:
+    """Return requests per second, and ratios to stored bytes of the same length."""
+    paths = {
+        "collision": COLLISION,
+        "stored collision": "/api/v1/stored/collision",
+        "trace": TRACE,
+        "stored trace": "/api/v1/stored/trace",
+    }
+    found: dict = {}
+    for workers in (1, 2):
+        with service(workers=workers) as (port, pid):
+            rates = {name: [] for name in paths}
+            for _ in range(rounds):
+                for name, path in paths.items():
+                    rates[name].append(rate(port, pid, path))
+        found[workers] = {
+            name: {
+                "per_second": round(statistics.median(r for r, _ in rounds_of)),
+                "per_cpu_second": round(statistics.median(c for _, c in rounds_of)),
+            }
+            for name, rounds_of in rates.items()
+        }
+    for name in ("collision", "trace"):
+        one, two = found[1], found[2]
+        for unit in ("per_second", "per_cpu_second"):
+            found[f"{name} over stored, {unit}"] = round(
+                one[name][unit] / one[f"stored {name}"][unit], 3
+            )
+            found[f"{name}, two workers over one, {unit}"] = round(
+                two[name][unit] / one[name][unit], 3
+            )
+    return found
+
+
+async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
+    """Return what browsers see that drag for `seconds`."""
+    end = time.perf_counter() + seconds
+    statuses: Counter = Counter()
+    waits: list[float] = []
+    errors: Counter = Counter()
+
+    async def browser(number: int) -> None:
+        dice = random.Random(f"{seed} {number}")
+        connection = await connect(port)
+        await asyncio.sleep(dice.random() * 0.5)
+        while time.perf_counter() < end:
+            if dice.random() < 0.05:
+                path = MAP.format(round(dice.uniform(0.2, 3), 2))
+            else:
+                numbers = (dice.uniform(1, 70), dice.uniform(0.2, 3), dice.uniform(0.01, 4))
+                path = DRAGGED.format(*(round(n, 3) for n in numbers))
+            begin = time.perf_counter()
+            try:
+                status = await connection.get(path)
+            except (OSError, TimeoutError) as error:
+                errors[type(error).__name__] += 1
+                connection = await connect(port)
+                continue
+            took = time.perf_counter() - begin
+            statuses[status] += 1
+            if status == 200:
+                waits.append(took)
+                await asyncio.sleep(max(0.0, FRAME - took))
+            else:
+                assert b"retry-after: 1" in connection.headers
+                # as the page does
+                await asyncio.sleep(1.0 + dice.random())
+
+    begin, own = time.perf_counter(), time.process_time()
+    await asyncio.gather(*(browser(i) for i in range(browsers)))
+    elapsed = time.perf_counter() - begin
+    waits.sort()
+    return {
+        "browsers": browsers,
+        "good_per_second": round(statuses[200] / elapsed, 1),
+        "statuses": dict(statuses),
+        "errors": dict(errors),
+        "admitted_p50_ms": round(1e3 * waits[len(waits) // 2], 1),
+        "admitted_p99_ms": round(1e3 * waits[int(0.99 * len(waits))], 1),
+        "generator_cpu": round((time.process_time() - own) / elapsed, 2),
+    }
+
+
+def classroom(seconds: float = 60.0) -> dict:
+    """Return the capacity and what 300 browsers get of it."""
+    found = {}
+    with service() as (port, pid):
+        # few enough that nobody is sent away: what the server can do
+        found["capacity"] = max(
+            (uvloop.run(drag(port, n, 8.0)) for n in (24, 48, 96)),
+            key=lambda each: each["good_per_second"],
+        )
+        before = resident(pid)
+        spent = cpu(pid)
+        found["class"] = uvloop.run(drag(port, 300, seconds))
+        found["server_cpu"] = round((cpu(pid) - spent) / seconds, 2)
+        found["resident_mb"] = {"before": before, "after": resident(pid)}
+    ratio = found["class"]["good_per_second"] / found["capacity"]["good_per_second"]
+    return found | {"goodput_over_capacity": round(ratio, 3)}
+
+
+async def mixed(port: int, count: int, clients: int = 16) -> Counter:
+    """Return the statuses of many requests of all kinds."""
+    dice = random.Random(2)
+    kinds = [
+        lambda: DRAGGED.format(dice.uniform(1, 500), dice.uniform(0.2, 3), dice.uniform(0.01, 4)),
+        lambda: f"{COLLISION}&damping={dice.uniform(0, 1)}",
+        lambda: f"{COLLISION}&method=timestep&steps={dice.randint(4, 5000)}",
+        lambda: f"/api/v1/cut?along=kappa&mu_over_alpha={dice.uniform(0.2, 3)}&gt_over_gn=1",
+        lambda: MAP.format(dice.uniform(0.2, 3)) + dice.choice(("", "&format=csv", "&format=npz")),
+        lambda: f"/api/v1/collision?kappa={dice.choice(('NaN', '1e999', '-1'))}",
+        lambda: "/nothing",
+        lambda: "/api/v1/presets",
+        lambda: "/static/main.js",
+    ]
+    weights = [40, 20, 5, 10, 5, 5, 5, 5, 5]
+    statuses: Counter = Counter()
+    left = count
+
+    async def client() -> None:
+        nonlocal left
+        connection = await connect(port)
+        while left > 0:
+            left -= 1
+            path = dice.choices(kinds, weights)[0]()
+            statuses[await connection.get(path)] += 1
+
+    await asyncio.gather(*(client() for _ in range(clients)))
+    return statuses
+
+
+def soak(count: int = 100_000) -> dict:
+    """Return how memory grows over many mixed requests, after as many traces warmed it up."""
+    with service() as (port, pid):
+        started = resident(pid)
+        uvloop.run(mixed(port, 10_000))
+        before = resident(pid)
+        statuses = uvloop.run(mixed(port, count))
+        after = resident(pid)
+    return {
+        "requests": count,
+        "statuses": dict(statuses),
+        "resident_mb": {"started": started, "after 10,000": before, "after all": after},
+        "growth": round(after[0] / before[0] - 1, 4),
+    }
+
+
+PARTS = {"throughput": throughput, "class": classroom, "soak": soak}
+
+if __name__ == "__main__":
+    for part in sys.argv[1:] or PARTS:
+        print(json.dumps({part: PARTS[part]()}, indent=1), flush=True)

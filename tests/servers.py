@@ -1,0 +1,94 @@
+"""Real `restitution serve` processes for tests and benchmarks."""
+
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import time
+import urllib.error
+import urllib.request
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+START_SECONDS = 60
+"""A first start compiles the kernels."""
+
+
+class Serving:
+    """A `restitution serve` process and what it writes."""
+
+    def __init__(self, process, port, log):
+        self.process, self.port, self.log = process, port, log
+        self.url = f"http://127.0.0.1:{port}"
+
+    def get(self, path, seconds=30, **headers):
+        """Return status, headers and body, refusals too."""
+        request = urllib.request.Request(self.url + path, headers=headers)
+        try:
+            with urllib.request.urlopen(request, timeout=seconds) as answer:
+                return answer.status, answer.headers, answer.read()
+        except urllib.error.HTTPError as refusal:
+            return refusal.code, refusal.headers, refusal.read()
+
+    def send(self, text):
+        """Return a connection over which `text` was sent."""
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=30)
+        connection.sendall(text.encode())
+        return connection
+
+    def metric(self, pattern):
+        text = self.get("/metrics")[2].decode()
+        return sum(float(n) for n in re.findall(rf"^{pattern} ([\d.e+]+)$", text, re.MULTILINE))
+
+    def events(self):
+        lines = self.log.read_text().splitlines()
+        return [json.loads(line) for line in lines if line.startswith("{")]
+
+    def children(self):
+        tasks = Path(f"/proc/{self.process.pid}/task")
+        names = [c for t in tasks.iterdir() for c in (t / "children").read_text().split()]
+        # the resource tracker of multiprocessing is one, too
+        return [int(n) for n in names if b"spawn_main" in Path(f"/proc/{n}/cmdline").read_bytes()]
+
+
+@contextmanager
+def serving(folder, **settings):
+    port, log = free_port(), folder / "log"
+    environment = os.environ | {f"RESTITUTION_{n.upper()}": str(v) for n, v in settings.items()}
+    program = Path(sys.executable).with_name("restitution")
+    with (
+        log.open("wb") as output,
+        subprocess.Popen(
+            [program, "serve", "--port", str(port)],
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            env=environment,
+        ) as process,
+    ):
+        try:
+            wait_until_ready(f"http://127.0.0.1:{port}", process, log)
+            yield Serving(process, port, log)
+        finally:
+            process.kill()
+
+
+def free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return int(listener.getsockname()[1])
+
+
+def wait_until_ready(url: str, process: subprocess.Popen[bytes], log_path: Path) -> None:
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline and process.poll() is None:
+        try:
+            urllib.request.urlopen(f"{url}/readyz", timeout=5).close()
+        except (urllib.error.URLError, ConnectionError, TimeoutError):
+            time.sleep(0.1)
+        else:
+            return
+    pytest.fail(f"the server did not become ready:\n{log_path.read_text(errors='replace')}")
