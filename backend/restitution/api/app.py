@@ -4,14 +4,14 @@ import threading
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from importlib.metadata import version
 
 import click
 from fastapi import FastAPI
 from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import GZipMiddleware
 
-from restitution.api import errors
+from restitution.api import description, errors
+from restitution.api.description import about
 from restitution.api.page import add_page, compress_plotly
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
@@ -26,9 +26,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     settings = settings or Settings()
     app = FastAPI(
-        title="Restitution",
-        version=version("restitution"),
-        summary="Coefficient of tangential restitution of colliding frictional spheres",
+        **about(),
         lifespan=_lifespan,
         # both would load their scripts from elsewhere
         docs_url=None,
@@ -51,6 +49,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(table.router)
     app.include_router(tradeoff.router)
     app.include_router(service.router)
+    description.install(app)
     add_page(app, settings.frontend_directory)
     return app
 

@@ -10,7 +10,9 @@ from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
 from starlette.concurrency import run_in_threadpool
 
+from restitution.api import answers
 from restitution.api.arrays import MOST_ITEMS, Allowed, number_array, read_json, refuse_more_points
+from restitution.api.description import computed, posted
 from restitution.api.errors import (
     MOST_ERRORS,
     UNKNOWN,
@@ -73,7 +75,7 @@ def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
     }
 
 
-@router.get("/collision")
+@router.get("/collision", summary="One collision", responses=computed(answers.Collision))
 def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Response:
     """Return what comes out of one collision and how it goes."""
 
@@ -85,7 +87,7 @@ def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Re
     return respond(request, query, compute)
 
 
-@router.get("/trace")
+@router.get("/trace", summary="A collision over time", responses=computed(answers.Trace))
 def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
     """Return forces, velocities and the spring over time."""
 
@@ -100,7 +102,7 @@ def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
     return respond(request, query, compute)
 
 
-@router.get("/cut")
+@router.get("/cut", summary="Collisions along one parameter", responses=computed(answers.Cut))
 def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws along one parameter."""
 
@@ -123,7 +125,12 @@ def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
     return respond(request, query, compute)
 
 
-@router.get("/map")
+@router.get(
+    "/map",
+    name="map",
+    summary="Collisions over two parameters",
+    responses=computed(answers.Map),
+)
 def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
     kappa, tangential = query.axes
@@ -149,7 +156,11 @@ def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     return respond(request, query, compute)
 
 
-@router.post("/collisions")
+@router.post(
+    "/collisions",
+    summary="Up to a million collisions",
+    responses=posted(answers.Collisions),
+)
 async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t and switches of many collisions, in the order of the parameters."""
     refuse_unsuited(request)

@@ -4,27 +4,47 @@ from typing import Annotated, Any
 
 from fastapi import APIRouter, Query, Request, Response
 
+from restitution.api import answers
+from restitution.api.description import refusals, stored
 from restitution.api.errors import problem
 from restitution.api.forms import Result, respond
 from restitution.api.schemas import NoQuery
-from restitution.studies.presets import PRESETS, Preset
+from restitution.studies.presets import PRESETS
 
 router = APIRouter()
 
 
-@router.get("/api/v1/presets", tags=["presets"], response_model=dict[str, list[Preset]])
+@router.get(
+    "/api/v1/presets",
+    tags=["presets"],
+    summary="Collisions worth a look",
+    responses=stored(answers.Presets),
+)
 def presets(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
     """Return collisions worth a look."""
     return respond(request, query, lambda: Result({"items": list(PRESETS)}, dict))
 
 
-@router.get("/healthz", tags=["service"])
+@router.get(
+    "/healthz",
+    tags=["service"],
+    name="health",
+    summary="Alive?",
+    responses={200: {"model": answers.Health}},
+)
 def healthz() -> dict[str, str]:
     """Return that the process answers."""
     return {"status": "ok"}
 
 
-@router.get("/readyz", tags=["service"], response_model=None)
+@router.get(
+    "/readyz",
+    tags=["service"],
+    name="readiness",
+    summary="Ready?",
+    response_model=None,
+    responses=refusals(503) | {200: {"model": answers.Readiness}},
+)
 def readyz(request: Request) -> dict[str, Any] | Response:
     """Return that the kernels are compiled."""
     if request.app.state.ready.is_set():
