@@ -21,7 +21,7 @@ Method = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", 
 Mixed = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"]
 Bound = Annotated[float, Field(ge=0, description="bound on the absolute error of ε_t")]
 Epsilon = Annotated[
-    float, Field(ge=-1, le=1, description="coefficient of tangential restitution ε_t")
+    float, Field(description="ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
 ]
 Certain = Annotated[bool, Field(description="whether error_bound is within the tolerance")]
 Convention = Annotated[str, Field(description="sign and point of reference of every number")]
