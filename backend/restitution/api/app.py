@@ -13,6 +13,7 @@ from starlette.middleware.gzip import GZipMiddleware
 from restitution.api import description, errors
 from restitution.api.description import about
 from restitution.api.page import add_page, compress_plotly
+from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
@@ -28,7 +29,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app = FastAPI(
         **about(),
         lifespan=_lifespan,
-        # both would load their scripts from elsewhere
+        # FastAPI's own would load their scripts from elsewhere
         docs_url=None,
         redoc_url=None,
     )
@@ -50,6 +51,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(tradeoff.router)
     app.include_router(service.router)
     description.install(app)
+    add_reference_pages(app)
     add_page(app, settings.frontend_directory)
     return app
 

@@ -84,7 +84,7 @@ def _header(description: str, pattern: str, *, required: bool = True) -> dict[st
 
 
 HEADERS = {
-    "ETag": _header("Strong; of the request as understood and the version.", '^"[0-9a-f]+"$'),
+    "ETag": _header("Strong; of the request as understood and the version.", '^"[!#-~]+"$'),
     "CacheForADay": _header("For a day.", "^public, max-age=86400$"),
     "NoStore": _header("Not to be kept.", "^no-store$"),
     "ServerTiming": _header("What computing took, in ms.", r"^compute;dur=\d+(\.\d+)?$"),
@@ -205,12 +205,11 @@ def _complete(document: dict[str, Any]) -> None:
             name = operation["operationId"]
             examples = PARAMETERS.get(name, {})
             for parameter in operation.get("parameters", []):
-                schema = _without_null(parameter["schema"])
-                schema.pop("title", None)
-                parameter["description"] = schema.pop("description", "")
-                parameter["schema"] = schema
+                _describe_parameter(parameter)
                 if parameter["name"] in examples:
                     parameter["example"] = examples[parameter["name"]]
+            # those that a request needs stand first
+            operation.get("parameters", []).sort(key=lambda parameter: not parameter["required"])
             if "304" in operation["responses"]:
                 known = {"$ref": "#/components/parameters/IfNoneMatch"}
                 operation.setdefault("parameters", []).append(known)
@@ -235,13 +234,20 @@ IF_NONE_MATCH = {
 }
 
 
-def _without_null(schema: dict[str, Any]) -> dict[str, Any]:
-    """Return the schema of a parameter; an optional one is left out, a query has no null."""
+def _describe_parameter(parameter: dict[str, Any]) -> None:
+    """Put the schema of a parameter of a query as a reader needs it."""
+    schema = parameter["schema"]
+    schema.pop("title", None)
+    # an optional parameter is left out, there is no null in a query
     kinds = [kind for kind in schema.get("anyOf", []) if kind != {"type": "null"}]
     if len(kinds) == 1:
-        (only,) = kinds
-        schema = {name: value for name, value in schema.items() if name != "anyOf"} | only
-    return dict(schema)
+        schema |= kinds[0]
+        del schema["anyOf"]
+    description = schema.pop("description", "") or parameter["description"]
+    if schema["type"] == "number" and "e-" in repr(schema.get("default")):
+        # Swagger UI takes 1e-10 for no number and would refuse to send its own default
+        description += f"; {schema.pop('default'):g} if left out"
+    parameter["description"] = description
 
 
 def _schemas(*models: Any) -> dict[str, Any]:
