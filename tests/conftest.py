@@ -1,13 +1,15 @@
 """Reference collisions, seeds of property tests, and a real server, shared by all tests."""
 
 import csv
+import os
 import socket
 import subprocess
 import sys
 import time
 import urllib.error
 import urllib.request
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
@@ -79,7 +81,19 @@ def reference_reversals() -> np.ndarray:
 @pytest.fixture(scope="session")
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The base URL of a `restitution serve` process."""
-    log_path = tmp_path_factory.mktemp("server") / "log"
+    with serving(tmp_path_factory.mktemp("server") / "log") as url:
+        yield url
+
+
+@pytest.fixture(scope="session")
+def serve() -> Callable[..., AbstractContextManager[str]]:
+    """For a server of a test's own."""
+    return serving
+
+
+@contextmanager
+def serving(log_path: Path, **settings: str) -> Iterator[str]:
+    """Yield the base URL of a `restitution serve` process with `settings` in its environment."""
     port = free_port()
     program = Path(sys.executable).with_name("restitution")
     with (
@@ -88,6 +102,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
             [program, "serve", "--host", "127.0.0.1", "--port", str(port)],
             stdout=log,
             stderr=subprocess.STDOUT,
+            env=os.environ | settings,
         ) as process,
     ):
         try:
