@@ -1,72 +1,33 @@
 """The OpenAPI document is whole, and says what the service does."""
 
-import copy
 import itertools
 import re
 
-import jsonschema_rs
 import pytest
+from document import (
+    ALWAYS_ON,
+    DOCUMENT,
+    OPERATIONS,
+    PROBLEM,
+    assert_described,
+    body_of,
+    misfits,
+    parameters_of,
+    query_of,
+    resolved,
+)
 from fastapi.openapi.models import OpenAPI
 from starlette.testclient import TestClient
 
 from restitution.api.app import create_app
 
-DOCUMENT = create_app().openapi()
-OPERATIONS = {
-    operation["operationId"]: (method, path, operation)
-    for path, operations in DOCUMENT["paths"].items()
-    for method, operation in operations.items()
-}
-RUNS = {"start_run", "run", "cancel_run"}
-"""Off unless enabled; tests/api/test_tradeoff.py switches them on."""
-
-every_example = pytest.mark.parametrize(
-    ("method", "path", "operation"),
-    [OPERATIONS[name] for name in sorted(OPERATIONS.keys() - RUNS)],
-    ids=sorted(OPERATIONS.keys() - RUNS),
-)
+every_example = pytest.mark.parametrize("name", ALWAYS_ON)
 FORMS = [{"encoding": "base64"}, {"format": "csv"}, {"format": "npz"}]
 
 
-def resolved(part):
-    """Return a part of the document, or what it refers to."""
-    if "$ref" not in part:
-        return part
-    assert part.keys() == {"$ref"}
-    found = DOCUMENT
-    for name in part["$ref"].removeprefix("#/").split("/"):
-        found = found[name]
-    return found
-
-
-def parameters_of(operation):
-    return [resolved(parameter) for parameter in operation.get("parameters", [])]
-
-
-def closed(schema):
-    """Return `schema` with every object closed to keys that it does not name."""
-    if isinstance(schema, list):
-        return [closed(item) for item in schema]
-    if not isinstance(schema, dict):
-        return schema
-    inner = {name: closed(value) for name, value in schema.items()}
-    return {"additionalProperties": False} | inner if "properties" in schema else inner
-
-
-COMPONENTS = closed(copy.deepcopy(DOCUMENT["components"]["schemas"]))
-
-
-def fits(schema, value):
-    """Return what of a JSON value does not fit `schema`, which lists every key."""
-    whole = closed(schema) | {"components": {"schemas": COMPONENTS}}
-    return [str(error) for error in jsonschema_rs.Draft202012Validator(whole).iter_errors(value)]
-
-
-def example_of(client, method, path, operation, **more):
-    query = {p["name"]: p["example"] for p in parameters_of(operation) if "example" in p}
-    body = operation.get("requestBody")
-    content = body and body["content"]["application/json"]["example"]
-    return client.request(method, path, params=query | more or None, json=content)
+def ask_example(client, name, **more):
+    method, path, _ = OPERATIONS[name]
+    return client.request(method, path, params=query_of(name) | more or None, json=body_of(name))
 
 
 def test_document_is_one_of_openapi():
@@ -97,7 +58,7 @@ def test_operations_say_what_they_do(operation):
     assert operation["summary"]
     assert operation["description"].endswith(".")
     assert set(operation["tags"]) <= {tag["name"] for tag in DOCUMENT["tags"]}
-    for parameter in parameters_of(operation):
+    for parameter in map(resolved, operation.get("parameters", [])):
         assert parameter["description"], parameter["name"]
         assert parameter["schema"].keys() & {"type", "enum"}, parameter["name"]
     for status, given in operation["responses"].items():
@@ -106,7 +67,7 @@ def test_operations_say_what_they_do(operation):
         if status == "304":
             assert "content" not in response
         elif int(status) >= 400:
-            assert response["content"].keys() == {"application/problem+json"}
+            assert response["content"].keys() == {PROBLEM}
             assert "Cache-Control" in response["headers"]
         else:
             assert response["content"]
@@ -119,44 +80,43 @@ def test_bounds_are_those_of_json_schema(bound):
 
 
 @every_example
-def test_examples_are_answered_as_described(service, method, path, operation):
-    response = example_of(service.client, method, path, operation)
+def test_examples_are_answered_as_described(service, name):
+    response = ask_example(service.client, name)
     assert response.status_code == 200, response.text
-    described = operation["responses"]["200"]
-    kind = response.headers["content-type"]
-    assert kind in described["content"]
-    for name in described.get("headers", {}):
-        assert name in response.headers
-    if kind == "application/json":
-        assert fits(described["content"][kind]["schema"], response.json()) == []
+    assert_described(name, response)
 
 
-def takes(operation, form):
-    allowed = {p["name"]: p["schema"].get("enum", ()) for p in parameters_of(operation)}
-    return all(value in allowed.get(name, ()) for name, value in form.items())
+def takes(name, form):
+    allowed = {n: p["schema"].get("enum", ()) for n, p in parameters_of(name).items()}
+    return all(value in allowed.get(n, ()) for n, value in form.items())
 
 
 @pytest.mark.parametrize(
-    ("name", "form"),
-    [(n, f) for n in sorted(OPERATIONS.keys() - RUNS) for f in FORMS if takes(OPERATIONS[n][2], f)],
-    ids=str,
+    ("name", "form"), [(n, f) for n in ALWAYS_ON for f in FORMS if takes(n, f)], ids=str
 )
 def test_every_form_is_described(service, name, form):
-    method, path, operation = OPERATIONS[name]
-    response = example_of(service.client, method, path, operation, **form)
+    response = ask_example(service.client, name, **form)
     assert response.status_code == 200
-    kind = response.headers["content-type"]
-    described = operation["responses"]["200"]["content"]
-    assert kind in described
-    if kind == "application/json":
-        assert fits(described[kind]["schema"], response.json()) == []
+    assert_described(name, response)
+
+
+@every_example
+def test_what_the_client_has_is_described(service, name):
+    method, path, operation = OPERATIONS[name]
+    first = ask_example(service.client, name)
+    known = {"If-None-Match": first.headers.get("etag", "*")}
+    again = service.client.request(
+        method, path, params=query_of(name) or None, json=body_of(name), headers=known
+    )
+    assert (again.status_code == 304) is ("304" in operation["responses"])
+    assert_described(name, again)
 
 
 @pytest.mark.parametrize("form", ["c", "python"])
 def test_code_is_described_as_text(service, form):
     response = service.get("/table", format=form, kappa_count=4, psi_count=3)
-    described = OPERATIONS["table"][2]["responses"]["200"]["content"]
-    assert response.headers["content-type"] in described
+    assert response.headers["content-type"] == "text/plain; charset=utf-8"
+    assert_described("table", response)
 
 
 EXTREMES = [
@@ -180,21 +140,16 @@ def test_what_may_be_null_is_described_so(service, kappa, mu_over_alpha, gt_over
         "cut": {n: query[n] for n in ("mu_over_alpha", "gt_over_gn")} | cut | {"count": 3},
     }
     for name, parameters in asked.items():
-        _, path, operation = OPERATIONS[name]
-        response = service.client.get(path, params=parameters)
-        assert str(response.status_code) in operation["responses"]
-        if response.status_code == 200:
-            schema = operation["responses"]["200"]["content"]["application/json"]["schema"]
-            assert fits(schema, response.json()) == [], name
+        assert_described(name, service.client.get(OPERATIONS[name][1], params=parameters))
 
 
 def test_wrong_answers_do_not_fit():
     # the judge of the tests above can say no
     schema = {"$ref": "#/components/schemas/Presets"}
-    assert fits(schema, {"items": []}) == []
-    assert fits(schema, {"items": [], "more": 1})
-    assert fits(schema, {"items": [{"id": 1}]})
-    assert fits(schema, {})
+    assert misfits(schema, {"items": []}) == []
+    assert misfits(schema, {"items": [], "more": 1})
+    assert misfits(schema, {"items": [{"id": 1}]})
+    assert misfits(schema, {})
 
 
 @pytest.mark.parametrize("path", DOCUMENT["paths"])
