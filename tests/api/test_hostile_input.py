@@ -52,6 +52,8 @@ IN_BODIES = [
     *('{"dtype": ">f8", "bdata": "P/AAAAAAAAA="}', '{"bdata": 1}', '{"shape": -1}', '"😀"'),
     *('{"min": 1, "max": 1}', '{"min": 5e-324, "max": 1e308, "count": 2}', '{"moment_kg_m2": 0}'),
     *("[" * DEEP + "]" * DEEP, '{"a":' * DEEP + "1" + "}" * DEEP, "[" + "1," * DEEP + "1]"),
+    # about the depths at which readers of JSON give up
+    *('{"a":' * depth + "1" + "}" * depth for depth in (700, 1000, 1100)),
 ]
 
 KINDS = {
@@ -201,6 +203,7 @@ def test_broken_bodies_are_refused(service, name):
         "half a surrogate pair, encoded": whole[:-1] + b', "\xed\xa0\x80": 1}',
         "a form": b"kappa=1&mu_over_alpha=1",
         "a list": b"[" + whole + b"]",
+        "a number": b"3",
         "deep lists": b"[" * DEEP,
         "deep objects": b'{"a":' * DEEP,
     }

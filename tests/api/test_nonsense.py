@@ -46,7 +46,9 @@ def test_nonsense_is_refused_by_name_with_the_value_received(service, call, name
         response = service.promptly(
             lambda given=given: service.client.get(path, params={n: str(given[n]) for n in given})
         )
-        errors = {e["parameter"]: e for e in service.problem(response, 422)["errors"]}
+        listed = service.problem(response, 422)["errors"]
+        errors = {e["parameter"]: e for e in listed}
+        assert len(errors) == len(listed), nonsense
         # some forbid others, which are named beside them
         assert name in errors, nonsense
         assert errors.keys() <= given.keys(), nonsense
@@ -149,12 +151,6 @@ def test_deep_bodies_are_refused(service, template, opening, closing, depth):
     response = service.promptly(lambda: service.post(body.encode()))
     assert response.status_code in {400, 422}
     service.problem(response, response.status_code)
-
-
-@pytest.mark.parametrize("cut", range(1, 60, 7))
-def test_truncated_bodies_are_400(service, cut):
-    whole = json.dumps({"kappa": [1, 2], "mu_over_alpha": 1.4, "gt_over_gn": 0.5}).encode()
-    service.problem(service.post(whole[:-cut]), 400)
 
 
 BODIES = {
