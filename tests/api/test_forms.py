@@ -195,6 +195,12 @@ def test_csv_of_many_collisions_is_one_row_each(service):
         assert all(same(text, plain[name][i]) for name, text in zip(header, row, strict=True)), row
 
 
+def test_csv_of_no_collisions_is_a_header(service):
+    empty = {"kappa": [], "mu_over_alpha": 1, "gt_over_gn": []}
+    (header,) = rows_of(send(service, "/collisions", empty, format="csv"))
+    assert header[:3] == ["epsilon_t", "epsilon_n", "switches"]
+
+
 @every_call
 def test_answers_are_the_same_to_the_byte_when_asked_again(service, path, parameters):
     for form in ({}, {"format": "csv"}, {"format": "npz"}, {"encoding": "base64"}):

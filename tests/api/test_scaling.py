@@ -155,13 +155,6 @@ def test_form_without_after_keeps_its_columns(service):
     assert row["after.velocity_2_m_s.z"] == ""
 
 
-@pytest.mark.parametrize("path", ["/scaling", "/scaling/map"])
-def test_example_in_the_description_is_answered(service, path):
-    description = service.client.get("/openapi.json").json()["paths"]["/api/v1" + path]["post"]
-    example = description["requestBody"]["content"]["application/json"]["example"]
-    assert "epsilon_t" in service.read(service.post(example, path=path))
-
-
 # refusals
 
 
@@ -257,23 +250,9 @@ def test_keys_given_twice_are_refused_by_name(service):
     assert {"body_1.radius_m", "impact"} == wrong(service, text).keys()
 
 
-@pytest.mark.parametrize("body", [b"", b"[]", b"3", b"{", b"[" * 100_000, b'{"a":' * 900])
-def test_malformed_bodies_are_400(service, body):
-    service.problem(service.post(body, path="/scaling"), 400)
-
-
-def test_deep_bodies_are_refused(service):
-    body = b'{"body_1":' * 700 + b"1" + b"}" * 700
-    assert service.post(body, path="/scaling").status_code in {400, 422}
-
-
 def test_body_beyond_two_mebibytes_is_413(service):
     body = b'{"body_1": "' + b"x" * 2 * 2**20 + b'"}'
     assert "2,097,152" in service.problem(service.post(body, path="/scaling"), 413)["detail"]
-
-
-def test_other_content_types_are_415(service):
-    service.problem(service.post(BODY, "text/plain", path="/scaling"), 415)
 
 
 def test_unknown_queries_are_refused(service):

@@ -4,14 +4,15 @@ import threading
 import time
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
-from importlib.metadata import version
 
 from fastapi import FastAPI
 
-from restitution.api import errors
+from restitution.api import description, errors
 from restitution.api.admission import Admission
+from restitution.api.description import about
 from restitution.api.observing import LOGGER, observe, set_up_log
 from restitution.api.page import add_page, compress_page
+from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
@@ -26,11 +27,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     settings = settings or Settings()
     app = FastAPI(
-        title="Restitution",
-        version=version("restitution"),
-        summary="Coefficient of tangential restitution of colliding frictional spheres",
+        **about(),
         lifespan=_lifespan,
-        # both would load their scripts from elsewhere
+        # FastAPI's own would load their scripts from elsewhere
         docs_url=None,
         redoc_url=None,
     )
@@ -51,6 +50,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(service.router)
     app.include_router(service.health)
     observe(app, log_requests=settings.log_requests)
+    description.install(app)
+    add_reference_pages(app)
     add_page(app, settings.frontend_directory)
     return app
 

@@ -100,7 +100,10 @@ def _lenient(body: bytes, **hooks: Any) -> object:
     """Return what Python's own reader makes of `body`: it takes NaN, to be refused by name."""
     try:
         # an integer too long for Python is infinite as a double
-        return json.loads(body, parse_int=lambda t: int(t) if len(t) < 400 else float(t), **hooks)
+        # as text, for from bytes Python would read UTF-16 and UTF-32, too
+        return json.loads(
+            body.decode(), parse_int=lambda t: int(t) if len(t) < 400 else float(t), **hooks
+        )
     except RecursionError as error:
         raise HTTPException(400, TOO_DEEP) from error
     except ValueError as error:

@@ -9,6 +9,7 @@ import orjson
 from fastapi import FastAPI, Request, Response
 from starlette.exceptions import HTTPException
 from starlette.requests import ClientDisconnect
+from starlette.routing import Match
 
 from restitution.api.admission import RETRY_AFTER, SaturatedError
 from restitution.api.metrics import REFUSED
@@ -150,15 +151,26 @@ def _interrupted(_: Request, __: Exception) -> Response:
 
 def _http(request: Request, error: Exception) -> Response:
     assert isinstance(error, HTTPException)
-    headers = error.headers or {}
+    headers = dict(error.headers or {})
     match error.status_code:
         case 404:
             detail = f"there is nothing at {as_received(request.url.path)}"
         case 405:
-            detail = f"{request.method} is not allowed here, but {headers.get('Allow', 'others')}"
+            headers = {"Allow": ", ".join(_allowed(request))}
+            detail = f"{request.method} is not allowed here, but {headers['Allow']}"
         case _:
             detail = str(error.detail)
     return problem(error.status_code, detail, None, **headers)
+
+
+def _allowed(request: Request) -> list[str]:
+    """Return the methods of an address; Starlette tells those of its first route only."""
+    routes = request.app.routes
+    return [
+        method
+        for method in ("GET", "HEAD", "POST", "DELETE")
+        if any(r.matches({**request.scope, "method": method})[0] is Match.FULL for r in routes)
+    ]
 
 
 def _defect(_: Request, __: Exception) -> Response:

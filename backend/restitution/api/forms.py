@@ -218,7 +218,7 @@ def _texts(column: npt.NDArray[Any] | list[Any]) -> list[bytes]:
     """Return the shortest texts that read back as the same numbers."""
     if isinstance(column, np.ndarray) and column.dtype.kind != "U":
         text = orjson.dumps(np.ascontiguousarray(column), option=orjson.OPT_SERIALIZE_NUMPY)
-        texts = text[1:-1].split(b",")
+        texts = text[1:-1].split(b",") if column.size else []
         return [b"" if t == b"null" else t for t in texts]
     return [_text(value) for value in column]
 

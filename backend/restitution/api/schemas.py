@@ -59,12 +59,17 @@ def _one_of(allowed: tuple[str, ...]) -> AfterValidator:
     return AfterValidator(check)
 
 
-def _choice(allowed: tuple[str, ...]) -> str:
-    return f"a comma-separated choice of {', '.join(allowed)}"
+def _choice(allowed: tuple[str, ...]) -> Any:
+    """Return a pydantic field that describes a comma-separated choice of `allowed`."""
+    word = f"({'|'.join(allowed)})"
+    return Field(
+        description=f"a comma-separated choice of {', '.join(allowed)}",
+        # the validator refuses with better words than a pattern of pydantic's would
+        json_schema_extra={"pattern": f"^{word}(,{word})*$"},
+    )
 
 
-# adding 0 makes −0 the 0 that it equals, in answers and in ETags
-Finite = Annotated[float, Field(allow_inf_nan=False), AfterValidator(lambda x: x + 0.0)]
+Finite = Annotated[float, Field(allow_inf_nan=False)]
 Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with α in it", gt=0)]
 MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
 GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]
@@ -75,10 +80,21 @@ Damping = Annotated[
 ]
 
 
-class Request(BaseModel):
-    """What every computing request takes."""
+class Closed(BaseModel):
+    """Parameters beside which there are no others."""
 
     model_config = ConfigDict(extra="forbid", frozen=True)
+
+    @field_validator("*")
+    @classmethod
+    def _without_sign_of_zero(cls, value: object) -> object:
+        """Make −0 the 0 that it equals, in answers and in ETags."""
+        # not a part of `Finite`: bounds around it would be lost in its JSON Schema
+        return value + 0.0 if isinstance(value, float) else value
+
+
+class Request(Closed):
+    """What every computing request takes."""
 
     damping: Damping = 0.0
     tolerance: Annotated[
@@ -125,10 +141,8 @@ class Request(BaseModel):
         )
 
 
-class FormQuery(BaseModel):
+class FormQuery(Closed):
     """The form of an answer."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     format: Annotated[Literal["json", "csv", "npz"], stated("format", "one of json, csv, npz")] = (
         "json"
@@ -159,9 +173,9 @@ class CollisionQuery(Formed):
     episode_limit: Annotated[
         int, stated("episode_limit", "an integer from 0 to 10,000"), Field(ge=0, le=10_000)
     ] = 200
-    quantities: Annotated[
-        str, _words(collision.QUANTITIES), Field(description=_choice(collision.QUANTITIES))
-    ] = ",".join(collision.QUANTITIES)
+    quantities: Annotated[str, _words(collision.QUANTITIES), _choice(collision.QUANTITIES)] = (
+        ",".join(collision.QUANTITIES)
+    )
 
     @functools.cached_property
     def parameters(self) -> CollisionParameters:
@@ -180,14 +194,12 @@ class TraceQuery(CollisionQuery):
     samples: Annotated[
         int, stated("samples", "an integer from 2 to 20,000"), Field(ge=2, le=20_000)
     ] = 400
-    quantities: Annotated[str, _words(trace.COLUMNS), Field(description=_choice(trace.COLUMNS))] = (
-        ",".join(trace.COLUMNS)
+    quantities: Annotated[str, _words(trace.COLUMNS), _choice(trace.COLUMNS)] = ",".join(
+        trace.COLUMNS
     )
 
 
-BatchQuantities = Annotated[
-    str, _words(batch.QUANTITIES), Field(description=_choice(batch.QUANTITIES))
-]
+BatchQuantities = Annotated[str, _words(batch.QUANTITIES), _choice(batch.QUANTITIES)]
 
 
 class CutQuery(Formed):
@@ -261,10 +273,8 @@ class MapQuery(Formed):
         )
 
 
-class TableQuery(BaseModel):
+class TableQuery(Closed):
     """``GET /table``; the error wanted, or else counts."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     encoding: ClassVar = "plain"
 
@@ -299,7 +309,14 @@ class TableQuery(BaseModel):
         | None
     ) = None
     sign: Annotated[Literal["paper", "reversed"], stated("sign", "paper or reversed")] = "paper"
-    format: Annotated[str, _one_of(TABLE_FORMATS)] = "csv"
+    format: Annotated[
+        str,
+        _one_of(TABLE_FORMATS),
+        Field(
+            description=f"one of {', '.join(TABLE_FORMATS)}",
+            json_schema_extra={"enum": list(TABLE_FORMATS)},
+        ),
+    ] = "csv"
 
     @model_validator(mode="before")
     @classmethod
@@ -364,18 +381,14 @@ class StepsQuery(FormQuery):
         return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
 
 
-class RunQuery(BaseModel):
+class RunQuery(Closed):
     """``POST /tradeoff/runs``."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     scene: SceneChoice = "figure4"
 
 
-class NoQuery(BaseModel):
+class NoQuery(Closed):
     """A call without parameters."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
 
     format: ClassVar = "json"
     encoding: ClassVar = "plain"

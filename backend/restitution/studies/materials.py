@@ -40,7 +40,7 @@ MEASURED_CONVENTION = (
 
 
 @dataclass(frozen=True)
-class Measurement:
+class MeasuredImpact:
     """One measured impact; `epsilon_t` follows from the centre ratio."""
 
     angle_deg: float
@@ -55,7 +55,7 @@ class Measured:
     """Measured impacts and the convention of their numbers."""
 
     convention: str
-    points: tuple[Measurement, ...]
+    points: tuple[MeasuredImpact, ...]
 
 
 @dataclass(frozen=True)
@@ -84,9 +84,9 @@ def surface_restitution(centre_ratio: float, alpha: float) -> float:
     return 1.0 - (1.0 - centre_ratio) / alpha
 
 
-def _kharaz_point(angle_deg: float, centre_ratio: float) -> Measurement:
+def _kharaz_point(angle_deg: float, centre_ratio: float) -> MeasuredImpact:
     angle = math.radians(angle_deg)
-    return Measurement(
+    return MeasuredImpact(
         angle_deg,
         KHARAZ_SPEED * math.cos(angle),
         KHARAZ_SPEED * math.sin(angle),

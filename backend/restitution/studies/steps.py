@@ -114,7 +114,7 @@ def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
     rungs = list(itertools.product(integrators, LADDER))
     # the longest first, so that no thread is left with it at the end
     spreads = dict(
-        in_threads().map(
+        in_threads(
             lambda rung: (rung, _spread(parts, rung[0], rung[1], phases)),
             sorted(rungs, key=lambda rung: -rung[1]),
         )

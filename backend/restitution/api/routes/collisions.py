@@ -8,6 +8,7 @@ import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 from pydantic import ValidationError
 
+from restitution.api import answers
 from restitution.api.arrays import (
     LARGEST_BODY,
     MOST_ITEMS,
@@ -16,6 +17,7 @@ from restitution.api.arrays import (
     parse_named,
     refuse_more_points,
 )
+from restitution.api.description import computed, posted
 from restitution.api.errors import (
     MOST_ERRORS,
     UNKNOWN,
@@ -86,7 +88,7 @@ def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
     }
 
 
-@router.get("/collision")
+@router.get("/collision", summary="One collision", responses=computed(answers.Collision))
 async def collision(request: Request, query: Annotated[CollisionQuery, Query()]) -> Response:
     """Return what comes out of one collision and how it goes."""
 
@@ -98,7 +100,7 @@ async def collision(request: Request, query: Annotated[CollisionQuery, Query()])
     return await respond(request, query, compute, quick=query.is_quick)
 
 
-@router.get("/trace")
+@router.get("/trace", summary="A collision over time", responses=computed(answers.Trace))
 async def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Response:
     """Return forces, velocities and the spring over time."""
 
@@ -114,7 +116,7 @@ async def trace(request: Request, query: Annotated[TraceQuery, Query()]) -> Resp
     return await respond(request, query, compute, quick=quick)
 
 
-@router.get("/cut")
+@router.get("/cut", summary="Collisions along one parameter", responses=computed(answers.Cut))
 async def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws along one parameter."""
 
@@ -137,7 +139,12 @@ async def cut(request: Request, query: Annotated[CutQuery, Query()]) -> Response
     return await respond(request, query, compute)
 
 
-@router.get("/map")
+@router.get(
+    "/map",
+    name="map",
+    summary="Collisions over two parameters",
+    responses=computed(answers.Map),
+)
 async def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Response:
     """Return ε_t, switches or simple laws over κ and g_t/g_n, as arrays [g_t/g_n][κ]."""
     kappa, tangential = query.axes
@@ -163,7 +170,11 @@ async def grid(request: Request, query: Annotated[MapQuery, Query()]) -> Respons
     return await respond(request, query, compute)
 
 
-@router.post("/collisions")
+@router.post(
+    "/collisions",
+    summary="Up to a million collisions",
+    responses=posted(answers.Collisions),
+)
 async def collisions(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t and switches of many collisions, in the order of the parameters."""
     return await respond_to_body(request, form, LARGEST_BODY, _collide_many)

@@ -1,13 +1,15 @@
 """Real bodies: one impact in SI units, materials worth a look."""
 
 from dataclasses import asdict
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 
+from restitution.api import answers
 from restitution.api.arrays import LARGEST_SMALL_BODY, parse_nested, refuse_more_points
 from restitution.api.bodies import read_map, read_scaling
+from restitution.api.description import posted, stored
 from restitution.api.forms import Payload, Result, flattened, respond, respond_to_body
 from restitution.api.query import QueryRoute
 from restitution.api.routes.collisions import batch_payload
@@ -20,17 +22,6 @@ from restitution.studies.velocity_map import study_velocity_map
 router = APIRouter(prefix="/api/v1", tags=["real spheres"], route_class=QueryRoute)
 
 AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
-
-
-def _described(*names: str, **more: Any) -> dict[str, Any]:
-    """Return the body of a request for the description of the service, by an example."""
-    item = asdict(MATERIALS[0])
-    example = {name: item[name] for name in names} | more
-    content = {"application/json": {"schema": {"type": "object"}, "example": example}}
-    return {"requestBody": {"required": True, "content": content}}
-
-
-CONTACT = ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
 
 
 def scaling_payload(study: ScalingStudy) -> Payload:
@@ -50,7 +41,7 @@ def _row(payload: Payload) -> Payload:
     return flattened(row)
 
 
-@router.post("/scaling", openapi_extra=_described(*CONTACT, "impact"))
+@router.post("/scaling", summary="A collision of real bodies", responses=posted(answers.Scaling))
 async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return what comes out of a collision of real bodies, in SI units and scaled."""
 
@@ -67,13 +58,8 @@ async def scaling(request: Request, form: Annotated[FormQuery, Query()]) -> Resp
 
 @router.post(
     "/scaling/map",
-    openapi_extra=_described(
-        *CONTACT,
-        normal_velocity_m_s={"min": 1, "max": 200, "count": 200, "scale": "linear"},
-        tangential_velocity_m_s={"min": 0, "max": 200, "count": 150, "scale": "linear"},
-        quantities=["epsilon_t", "coulomb"],
-        tolerance=4e-3,
-    ),
+    summary="Real bodies over both velocities",
+    responses=posted(answers.VelocityMap),
 )
 async def velocity_map(request: Request, form: Annotated[FormQuery, Query()]) -> Response:
     """Return ε_t of real bodies over both velocities, as arrays [tangential][normal]."""
@@ -109,7 +95,7 @@ def _item(material: Material) -> Payload:
     return {name: value for name, value in asdict(material).items() if value is not None}
 
 
-@router.get("/materials", response_model=dict[str, list[Material]])
+@router.get("/materials", summary="Real bodies", responses=stored(answers.Materials))
 async def materials(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
     """Return real bodies worth a look, each a valid body of ``/scaling``."""
 

@@ -6,6 +6,7 @@ import numpy as np
 from fastapi import APIRouter, Query, Request, Response
 
 from restitution.api.arrays import refuse_more_points
+from restitution.api.description import exported
 from restitution.api.forms import Payload, Result, respond
 from restitution.api.query import QueryRoute
 from restitution.api.schemas import TableQuery
@@ -55,7 +56,7 @@ def table_result(table: RestitutionTable) -> Result:
     return Result(payload, rows, texts=texts)
 
 
-@router.get("/table")
+@router.get("/table", summary="A table", response_class=Response, responses=exported())
 async def table(request: Request, query: Annotated[TableQuery, Query()]) -> Response:
     """Return ε_t over κ and ψ for other codes: CSV, NPZ, a C header or a Python module.
 

@@ -5,9 +5,11 @@ from typing import Annotated, Any
 
 import numpy as np
 import orjson
-from fastapi import APIRouter, Query, Request, Response
+from fastapi import APIRouter, Path, Query, Request, Response
 from starlette.exceptions import HTTPException
 
+from restitution.api import answers
+from restitution.api.description import computed, refusals, stored, told
 from restitution.api.forms import PROGRAM_VERSION, Payload, Result, respond
 from restitution.api.query import QueryRoute
 from restitution.api.runs import Run, Runs
@@ -16,6 +18,8 @@ from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
 from restitution.studies.tradeoff import load_tradeoff
 
 SPREAD = tuple(part.name for part in fields(Spread))
+
+RunName = Annotated[str, Path(description="`id` of a measurement")]
 
 router = APIRouter(prefix="/api/v1", tags=["tradeoff"], route_class=QueryRoute)
 
@@ -31,7 +35,11 @@ def _columns(rows: list[dict[str, Any]]) -> Payload:
     return columns
 
 
-@router.get("/tradeoff")
+@router.get(
+    "/tradeoff",
+    summary="The stored measurement",
+    responses=stored(answers.Tradeoff, forms=True),
+)
 async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
     """Return what every method costs and how far it is off on the collisions of a scene."""
     can_run = request.app.state.runs is not None
@@ -45,7 +53,7 @@ async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -
     return await respond(request, query, compute, version, quick=True)
 
 
-@router.get("/steps")
+@router.get("/steps", summary="Steps per contact", responses=computed(answers.Steps))
 async def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
     """Return how many time steps per contact a wanted error takes, by each integrator."""
 
@@ -110,7 +118,13 @@ def _described(run: Run, status: int = 200) -> Response:
     return Response(orjson.dumps(body), status, headers, "application/json")
 
 
-@router.post("/tradeoff/runs", status_code=202)
+@router.post(
+    "/tradeoff/runs",
+    name="start_run",
+    summary="Measure anew",
+    status_code=202,
+    responses=told(answers.Run, 202) | refusals(403, 409, 422),
+)
 async def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
     """Measure a scene anew, in the background."""
     run = _runs(request).start(query.scene)
@@ -119,14 +133,24 @@ async def start(request: Request, query: Annotated[RunQuery, Query()]) -> Respon
     return _described(run, 202)
 
 
-@router.get("/tradeoff/runs/{name}")
-async def progress(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+@router.get(
+    "/tradeoff/runs/{name}",
+    name="run",
+    summary="Progress and result",
+    responses=told(answers.Run) | refusals(403, 404, 422),
+)
+async def progress(request: Request, name: RunName, _: Annotated[NoQuery, Query()]) -> Response:
     """Return how far a measurement is, and its result when it is done."""
     return _described(_run(request, name))
 
 
-@router.delete("/tradeoff/runs/{name}")
-async def cancel(request: Request, name: str, _: Annotated[NoQuery, Query()]) -> Response:
+@router.delete(
+    "/tradeoff/runs/{name}",
+    name="cancel_run",
+    summary="Cancel",
+    responses=told(answers.Run) | refusals(403, 404, 422),
+)
+async def cancel(request: Request, name: RunName, _: Annotated[NoQuery, Query()]) -> Response:
     """Cancel a measurement; it stops after the row that it is at."""
     run = _run(request, name)
     run.cancel()

@@ -1,0 +1,349 @@
+"""What an answer says, for the description of the service: nothing is checked by it at run time.
+
+Answers are bytes made from arrays (`forms`); tests hold them against these descriptions. A key that
+an answer may lack is `NotRequired`, a number that may not exist is null.
+"""
+
+from typing import Annotated, Any, Literal, NotRequired
+
+from pydantic import Field
+from typing_extensions import TypedDict
+
+from restitution.api.request_bodies import Material
+from restitution.api.schemas import SceneName
+from restitution.studies.collision import Episode, Sensitivity
+from restitution.studies.presets import Preset
+from restitution.studies.steps import Needed, Spread
+from restitution.studies.tradeoff import Measurement, Row
+from restitution.studies.validity import Caution
+
+Method = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
+Mixed = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"]
+Bound = Annotated[float, Field(ge=0, description="bound on the absolute error of ε_t")]
+Epsilon = Annotated[
+    float, Field(description="ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
+]
+Certain = Annotated[bool, Field(description="whether error_bound is within the tolerance")]
+Convention = Annotated[str, Field(description="sign and point of reference of every number")]
+
+
+class TypedArray(TypedDict):
+    """An array as Plotly takes it, with `encoding=base64`; NaN where a list has null."""
+
+    dtype: Literal["f8", "i4", "i1"]
+    shape: Annotated[str, Field(pattern=r"^\d+(,\d+)*$")]
+    bdata: Annotated[str, Field(description="little-endian, base64")]
+
+
+Numbers = list[float] | TypedArray
+SomeNumbers = list[float | None] | TypedArray
+Counts = list[int | None] | TypedArray
+Grid = list[list[float]] | TypedArray
+SomeGrid = list[list[float | None]] | TypedArray
+CountGrid = list[list[int | None]] | TypedArray
+
+
+class Parameters(TypedDict):
+    """The parameters as understood, defaults filled in."""
+
+    kappa: float
+    mu_over_alpha: float
+    gt_over_gn: float
+    damping: float
+    tolerance: float
+    method: Literal["auto"] | Method
+    steps: int
+    integrator: Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
+    phase: float
+    rtol: float
+    floor: float
+    psi: Annotated[float | None, Field(description="(α/μ)(g_t/g_n), null where it is infinite")]
+    samples: NotRequired[int]
+
+
+class Energy(TypedDict):
+    """u²/2 + κz²/2 with u = g_t/g_n before and after; null beyond the doubles."""
+
+    initial: float | None
+    final: float | None
+    dissipated: float | None
+    dissipated_share: float
+
+
+class Estimates(TypedDict):
+    """Simple laws for the same collision; null where they say nothing."""
+
+    coulomb: float
+    stiff_bound: float | None
+    stiff_asymptote: float | None
+
+
+class Collision(TypedDict):
+    """One collision; null where the method that answered cannot give a quantity."""
+
+    parameters: Parameters
+    epsilon_t: Epsilon
+    epsilon_n: Annotated[float, Field(description="coefficient of normal restitution")]
+    switches: Annotated[int | None, Field(description="changes between sliding and sticking")]
+    switches_certain: Annotated[
+        bool | None, Field(description="false where double precision cannot tell")
+    ]
+    reversals: Annotated[int | None, Field(description="sign changes of g_t(t) within the contact")]
+    contact_duration: Annotated[float, Field(description="t_c in units of t_scale")]
+    episodes: list[Episode] | None
+    episodes_truncated: bool
+    energy: Energy | None
+    estimates: Estimates | None
+    sensitivity: Sensitivity | None
+    summary: Annotated[str | None, Field(description="the collision in a sentence")]
+    limit: Annotated[bool, Field(description="whether this is the limit ψ → 0, as g_t = 0")]
+    method: Annotated[Method, Field(description="the one that answered")]
+    error_bound: Bound
+    tolerance_met: Certain
+    convention: Convention
+
+
+class Trace(Collision):
+    """A collision over time: `samples` + `switches` instants, in the columns asked for.
+
+    Scaled units. `method_…` only with `method=timestep`: its own course, at its own instants.
+    """
+
+    time: NotRequired[Numbers]
+    compression: NotRequired[Numbers]
+    compression_rate: NotRequired[Numbers]
+    normal_force: NotRequired[Numbers]
+    tangential_force_over_mu: NotRequired[Numbers]
+    tangential_velocity: NotRequired[SomeNumbers]
+    spring_elongation: NotRequired[SomeNumbers]
+    regime: NotRequired[list[Literal[-1, 0, 1]] | TypedArray]
+    tangential_energy: NotRequired[SomeNumbers]
+    switch_times: Numbers
+    method_time: NotRequired[Numbers]
+    method_tangential_force_over_mu: NotRequired[SomeNumbers]
+    method_tangential_velocity: NotRequired[SomeNumbers]
+
+
+class ManyCollisions(TypedDict):
+    """What holds for all collisions of a cut or map."""
+
+    method: Annotated[Mixed, Field(description="the one that answered, or mixed")]
+    error_bound: Annotated[float, Field(ge=0, description="the largest, on ε_t")]
+    tolerance_met: Annotated[bool, Field(description="by all of them")]
+
+
+class Cut(ManyCollisions):
+    """Quantities asked for along one parameter."""
+
+    along: Literal["gt_over_gn", "kappa"]
+    values: Numbers
+    epsilon_t: NotRequired[Numbers]
+    switches: NotRequired[Counts]
+    coulomb: NotRequired[Numbers]
+    stiff_bound: NotRequired[SomeNumbers]
+    stiff_asymptote: NotRequired[SomeNumbers]
+    error: NotRequired[SomeNumbers]
+
+
+class MapColumns(ManyCollisions):
+    """Quantities asked for over two parameters, the first index that of the second one."""
+
+    epsilon_t: NotRequired[Grid]
+    switches: NotRequired[CountGrid]
+    coulomb: NotRequired[Grid]
+    stiff_bound: NotRequired[SomeGrid]
+    stiff_asymptote: NotRequired[SomeGrid]
+    error: NotRequired[SomeGrid]
+
+
+class Map(MapColumns):
+    """Quantities asked for over κ and g_t/g_n, indexed [gt_over_gn][kappa]."""
+
+    kappa: Numbers
+    gt_over_gn: Numbers
+
+
+class VelocityMap(MapColumns):
+    """Quantities asked for over both velocities, indexed [tangential][normal]."""
+
+    normal_velocity_m_s: Numbers
+    tangential_velocity_m_s: Numbers
+    mu_over_alpha: float
+    kappa: Numbers
+    damping: Numbers
+    time_scale_s: Numbers
+    length_scale_m: Numbers
+    contact_duration_s: Numbers
+    maximum_compression_m: Numbers
+    convention: Convention
+
+
+class Collisions(TypedDict):
+    """Many collisions in the order of the request."""
+
+    epsilon_t: NotRequired[Numbers]
+    epsilon_n: NotRequired[Numbers]
+    switches: NotRequired[Counts]
+    method: list[Method]
+    error_bound: Numbers
+    tolerance_met: list[bool]
+
+
+Vector = Annotated[list[float], Field(min_length=3, max_length=3)]
+
+
+class After(TypedDict):
+    """Motion of both bodies after the collision."""
+
+    velocity_1_m_s: Vector
+    velocity_2_m_s: Vector
+    spin_1_rad_s: Vector
+    spin_2_rad_s: Vector
+
+
+class Scaling(TypedDict):
+    """A collision of real bodies."""
+
+    kappa: float
+    mu_over_alpha: float
+    gt_over_gn: float
+    damping: float
+    psi: Annotated[float | None, Field(description="null where it is infinite")]
+    alpha: float
+    beta: float
+    effective_mass_kg: float
+    effective_radius_m: float
+    effective_modulus_pa: float
+    tangential_stiffness_n_per_m: float
+    normal_velocity_m_s: float
+    tangential_velocity_m_s: float
+    time_scale_s: float
+    length_scale_m: float
+    contact_duration_s: float
+    maximum_compression_m: float
+    maximum_normal_force_n: float
+    epsilon_n: float
+    epsilon_t: Epsilon
+    switches: int | None
+    after: Annotated[After | None, Field(description="null if the impact was given by g_n and g_t")]
+    warnings: Annotated[list[Caution], Field(description="where the collision leaves the model")]
+    method: Method
+    error_bound: Bound
+    tolerance_met: Certain
+    convention: Convention
+
+
+class Presets(TypedDict):
+    """Collisions worth a look."""
+
+    items: list[Preset]
+
+
+class Materials(TypedDict):
+    """Real bodies worth a look."""
+
+    items: list[Material]
+
+
+class WantedError(TypedDict):
+    """The steps per contact that a wanted error takes, by integrator."""
+
+    error: float
+    needed: dict[str, Needed]
+    rule: dict[str, Spread]
+    rule_steps: Annotated[list[float], Field(min_length=2, max_length=2)]
+
+
+class Tradeoff(TypedDict):
+    """What was measured on a scene, when and on which machine."""
+
+    scene: SceneName
+    measured_at: str
+    machine: str
+    model_version: str
+    steps: list[WantedError]
+    rows: list[Row]
+    can_be_measured_anew: bool
+
+
+class StepsParameters(TypedDict):
+    """The parameters as understood."""
+
+    error: float
+    region: SceneName | None
+    kappa: float | None
+    mu_over_alpha: float | None
+    gt_over_gn: float | None
+    psi: float | None
+
+
+class Rule(TypedDict):
+    """Errors by the rule N = factor √κ; null, with a reason, where it asks for too many steps."""
+
+    factor: float
+    steps_min: float
+    steps_max: float
+    reason: str | None
+    velocity_verlet: Spread
+    symplectic_euler: Spread
+    forward_euler: Spread
+
+
+class Steps(TypedDict):
+    """The steps per contact that an error takes, and the ladder by which they were found."""
+
+    parameters: StepsParameters
+    collisions: int
+    phases: int
+    stability_limit: float
+    needed: dict[str, Needed]
+    rule: Rule
+    integrator: list[str]
+    steps: list[int] | TypedArray
+    error_median: Numbers
+    error_p95: Numbers
+    error_max: Numbers
+
+
+class Run(TypedDict):
+    """A measurement under way or over."""
+
+    id: str
+    scene: SceneName
+    state: Literal["running", "done", "cancelled", "failed"]
+    progress: Annotated[float, Field(ge=0, le=1)]
+    result: Measurement | None
+
+
+class Health(TypedDict):
+    """The process answers."""
+
+    status: Literal["ok"]
+
+
+class Readiness(TypedDict):
+    """The kernels are compiled."""
+
+    status: Literal["ready"]
+
+
+class Refusal(TypedDict):
+    """A wrong parameter."""
+
+    parameter: Annotated[str, Field(description="`kappa[17]` for an element of a list")]
+    value: Annotated[
+        Any, Field(description="as received; NaN and Infinity as text, null if missing")
+    ]
+    requirement: Annotated[str, Field(description="what holds for allowed values")]
+
+
+class Problem(TypedDict):
+    """A refusal, RFC 9457."""
+
+    type: str
+    title: str
+    status: Annotated[int, Field(ge=400, le=599)]
+    detail: Annotated[str, Field(description="one or more sentences, to be shown as they are")]
+    errors: NotRequired[
+        Annotated[list[Refusal], Field(description="everything that is wrong, at once")]
+    ]

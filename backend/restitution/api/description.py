@@ -1,0 +1,278 @@
+"""The description of the service in OpenAPI: what routes say of their answers, and the document.
+
+A route names the model of its answer; headers, forms and refusals follow from the kind of call.
+Nothing of this acts on a request.
+"""
+
+from dataclasses import asdict
+from importlib.metadata import version
+from typing import Any
+
+from fastapi import FastAPI
+from fastapi.routing import APIRoute
+from pydantic import TypeAdapter
+
+from restitution.api.answers import Problem
+from restitution.api.request_bodies import CollisionsBody, ScalingBody, VelocityMapBody
+from restitution.studies.materials import MATERIALS
+
+Described = dict[int | str, dict[str, Any]]
+"""Status → response, as the decorators of FastAPI take it."""
+
+ABOUT = """\
+Two viscoelastic spheres with friction collide: what comes out, how it goes, and what every method
+makes of it. After T. Schwager, V. Becker, T. Pöschel, *Coefficient of tangential restitution for
+viscoelastic spheres*, [Eur. Phys. J. E 27, 107 (2008)](https://doi.org/10.1140/epje/i2007-10356-3).
+
+Times, lengths, velocities and forces are scaled by t_scale, ξ_scale, g_n and m_eff ξ_scale/t_scale²
+(Eqs. 17–24), except in calls about real spheres, which are in SI units.
+ε_t = g_t(t_c)/g_t(0) at the point of contact: +1 for smooth spheres, −1 for gear wheels.
+
+Every answer but that of `/tradeoff` is a function of the request alone. A number that does not
+exist is null in JSON, NaN in `npz` and base64, empty in `csv`. Refusals are
+`application/problem+json` (RFC 9457) and name everything that is wrong at once; methods that an
+address does not have are answered 405 with `Allow`, addresses that do not exist 404."""
+
+TAGS = [
+    {"name": "collisions", "description": "One collision, many, along a cut, over a map."},
+    {"name": "real spheres", "description": "Collisions in SI units."},
+    {"name": "table", "description": "ε_t(κ, ψ) for other codes."},
+    {"name": "tradeoff", "description": "Speed and accuracy of the methods."},
+    {"name": "presets", "description": "Collisions worth a look."},
+    {"name": "service", "description": "What a supervisor asks."},
+]
+
+COLLISION = {"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358}
+
+PARAMETERS: dict[str, dict[str, Any]] = {
+    "collision": COLLISION,
+    "trace": COLLISION,
+    "cut": {"along": "gt_over_gn", "kappa": 63, "mu_over_alpha": 1.4},
+    "map": {"mu_over_alpha": 1.4, "kappa_count": 20, "gt_over_gn_count": 15},
+    "table": {"kappa_count": 20, "psi_count": 15},
+    "steps": COLLISION,
+    "tradeoff": {"scene": "figure4"},
+}
+"""Operation → parameters that together make a request."""
+
+
+def _bodies() -> dict[str, tuple[str, dict[str, Any]]]:
+    """Return operation → name of the schema of its body, and a body."""
+    material = asdict(MATERIALS[0])
+    contact = {
+        name: material[name]
+        for name in ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
+    }
+    velocities = {
+        "normal_velocity_m_s": {"min": 1, "max": 200, "count": 20, "scale": "linear"},
+        "tangential_velocity_m_s": {"min": 0, "max": 200, "count": 15, "scale": "linear"},
+    }
+    many = {"kappa": [18, 63], "mu_over_alpha": 1.4, "gt_over_gn": [0.4, 1.358]}
+    return {
+        "collisions": ("CollisionsBody", many),
+        "scaling": ("ScalingBody", contact | {"impact": material["impact"]}),
+        "velocity_map": (
+            "VelocityMapBody",
+            contact | velocities | {"quantities": ["epsilon_t", "coulomb"], "tolerance": 4e-3},
+        ),
+    }
+
+
+def _header(description: str, pattern: str, *, required: bool = True) -> dict[str, Any]:
+    schema = {"type": "string", "pattern": pattern}
+    return {"description": description, "required": required, "schema": schema}
+
+
+HEADERS = {
+    "ETag": _header("Strong; of the request as understood and the version.", '^"[!#-~]+"$'),
+    "CacheForADay": _header("For a day.", "^public, max-age=86400$"),
+    "NoStore": _header("Not to be kept.", "^no-store$"),
+    "ServerTiming": _header("What computing took, in ms.", r"^compute;dur=\d+(\.\d+)?$"),
+    "RetryAfter": _header("Seconds after which to ask again.", r"^\d+$"),
+    "Location": _header("Where its progress is told.", "^/api/v1/tradeoff/runs/[0-9a-f]+$"),
+}
+
+
+def _with_headers(**names: str) -> dict[str, Any]:
+    return {
+        name.replace("_", "-"): {"$ref": f"#/components/headers/{header}"}
+        for name, header in names.items()
+    }
+
+
+CACHED = _with_headers(ETag="ETag", Cache_Control="CacheForADay")
+TIMED = _with_headers(Server_Timing="ServerTiming")
+NOT_KEPT = _with_headers(Cache_Control="NoStore")
+
+PROBLEMS = {
+    400: ("MalformedBody", "The body is not a JSON object."),
+    403: ("SwitchedOff", "Measuring anew is switched off here."),
+    404: ("UnknownRun", "There is no such measurement, or another one has followed it."),
+    409: ("UnderWay", "A measurement is under way."),
+    413: ("TooCostly", "The request or its body is beyond a limit; `detail` has cost and limit."),
+    415: ("NotJson", "The body is not `application/json`."),
+    422: ("WrongParameters", "Parameters are wrong; `errors` has all of them."),
+    503: ("Busy", "The service is saturated, or its kernels are being compiled."),
+}
+"""Status → name of its response, and when it is given."""
+
+
+def refusals(*statuses: int) -> Described:
+    """Return the responses of refusals with `statuses`."""
+    return {
+        status: {"$ref": f"#/components/responses/{PROBLEMS[status][0]}"} for status in statuses
+    }
+
+
+JSON = "application/json"
+TABLE: dict[str, Any] = {
+    "text/csv; charset=utf-8": {"schema": {"type": "string"}},
+    "application/x-npz": {},
+}
+TEXT: dict[str, Any] = {"text/plain; charset=utf-8": {"schema": {"type": "string"}}}
+
+
+def computed(model: Any) -> Described:
+    """Return the responses of a GET that computes `model`, in all its forms."""
+    return stored(model) | refusals(413, 503) | {200: _success(model, TABLE, CACHED | TIMED)}
+
+
+def exported() -> Described:
+    """Return the responses of a GET that computes a table for other codes."""
+    return stored(None) | refusals(413, 503) | {200: _success(None, TABLE | TEXT, CACHED | TIMED)}
+
+
+def stored(model: Any, *, forms: bool = False) -> Described:
+    """Return the responses of a GET of what is at hand, in JSON or in all `forms`."""
+    found = {
+        200: _success(model, TABLE if forms else {}, CACHED | TIMED),
+        304: {"$ref": "#/components/responses/Unchanged"},
+    }
+    return found | refusals(422)
+
+
+def posted(model: Any) -> Described:
+    """Return the responses of a POST whose body is JSON, in all their forms."""
+    return {200: _success(model, TABLE, NOT_KEPT | TIMED)} | refusals(400, 413, 415, 422, 503)
+
+
+def told(model: Any, status: int = 200) -> Described:
+    """Return the response of a call about a measurement, or its start if `status` is 202."""
+    headers = NOT_KEPT | (_with_headers(Location="Location") if status == 202 else {})
+    return {status: _success(model, {}, headers)}
+
+
+def _success(model: Any, forms: dict[str, Any], headers: dict[str, Any]) -> dict[str, Any]:
+    answer = {"description": "The answer.", "headers": headers, "content": dict(forms)}
+    return answer if model is None else answer | {"model": model}
+
+
+def about() -> dict[str, Any]:
+    """Return what the application says of itself, as arguments of `FastAPI`."""
+    return {
+        "title": "Restitution",
+        "version": version("restitution"),
+        "summary": "Coefficient of tangential restitution of colliding frictional spheres",
+        "description": ABOUT,
+        "license_info": {"name": "MIT", "identifier": "MIT"},
+        "servers": [{"url": "/", "description": "this server"}],
+        "openapi_tags": TAGS,
+        "generate_unique_id_function": _operation_id,
+    }
+
+
+def _operation_id(route: APIRoute) -> str:
+    return route.name
+
+
+def install(app: FastAPI) -> None:
+    """Let the document of `app` have what decorators do not say."""
+    described = app.openapi
+
+    def openapi() -> dict[str, Any]:
+        if app.openapi_schema is None:
+            _complete(described())
+        assert app.openapi_schema is not None
+        return app.openapi_schema
+
+    app.openapi = openapi  # type: ignore[method-assign] # as FastAPI's manual has it
+
+
+def _complete(document: dict[str, Any]) -> None:
+    bodies = _bodies()
+    for operations in document["paths"].values():
+        for operation in operations.values():
+            name = operation["operationId"]
+            examples = PARAMETERS.get(name, {})
+            for parameter in operation.get("parameters", []):
+                _describe_parameter(parameter)
+                if parameter["name"] in examples:
+                    parameter["example"] = examples[parameter["name"]]
+            # those that a request needs stand first
+            operation.get("parameters", []).sort(key=lambda parameter: not parameter["required"])
+            if "304" in operation["responses"]:
+                known = {"$ref": "#/components/parameters/IfNoneMatch"}
+                operation.setdefault("parameters", []).append(known)
+            if name in bodies:
+                operation["requestBody"] = _request_body(*bodies[name])
+            for response in operation["responses"].values():
+                if "$ref" in response:
+                    # FastAPI's own words beside it
+                    response.pop("description", None)
+    components = document["components"]
+    components["schemas"] |= _schemas(Problem, CollisionsBody, ScalingBody, VelocityMapBody)
+    components["parameters"] = {"IfNoneMatch": IF_NONE_MATCH}
+    components["headers"] = HEADERS
+    components["responses"] = _responses()
+
+
+IF_NONE_MATCH = {
+    "name": "If-None-Match",
+    "in": "header",
+    "description": "ETags of answers at hand, with commas between them, or `*`",
+    "schema": {"type": "string"},
+}
+
+
+def _describe_parameter(parameter: dict[str, Any]) -> None:
+    """Put the schema of a parameter of a query as a reader needs it."""
+    schema = parameter["schema"]
+    schema.pop("title", None)
+    # an optional parameter is left out, there is no null in a query
+    kinds = [kind for kind in schema.get("anyOf", []) if kind != {"type": "null"}]
+    if len(kinds) == 1:
+        schema |= kinds[0]
+        del schema["anyOf"]
+    description = schema.pop("description", "") or parameter["description"]
+    if schema["type"] == "number" and "e-" in repr(schema.get("default")):
+        # Swagger UI takes 1e-10 for no number and would refuse to send its own default
+        description += f"; {schema.pop('default'):g} if left out"
+    parameter["description"] = description
+
+
+def _schemas(*models: Any) -> dict[str, Any]:
+    """Return the schemas of what no route names as its answer, with all that they refer to."""
+    _, found = TypeAdapter.json_schemas(
+        [(model, "validation", TypeAdapter(model)) for model in models],
+        ref_template="#/components/schemas/{model}",
+    )
+    schemas: dict[str, Any] = found["$defs"]
+    return schemas
+
+
+def _request_body(name: str, example: dict[str, Any]) -> dict[str, Any]:
+    schema = {"$ref": f"#/components/schemas/{name}"}
+    return {"required": True, "content": {JSON: {"schema": schema, "example": example}}}
+
+
+def _responses() -> dict[str, Any]:
+    """Return the responses that calls share."""
+    content = {"application/problem+json": {"schema": {"$ref": "#/components/schemas/Problem"}}}
+    found: dict[str, Any] = {
+        name: {"description": when, "headers": NOT_KEPT, "content": content}
+        for name, when in PROBLEMS.values()
+    }
+    retry = _with_headers(Retry_After="RetryAfter")
+    found["Busy"] = found["Busy"] | {"headers": NOT_KEPT | retry}
+    found["Unchanged"] = {"description": "The client has it already.", "headers": CACHED}
+    return found
