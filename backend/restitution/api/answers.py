@@ -274,6 +274,7 @@ class StepsParameters(TypedDict):
     kappa: float | None
     mu_over_alpha: float | None
     gt_over_gn: float | None
+    damping: float | None
     psi: float | None
 
 

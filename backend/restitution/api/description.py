@@ -108,6 +108,7 @@ PROBLEMS = {
     400: ("MalformedBody", "The body is not a JSON object."),
     403: ("SwitchedOff", "Measuring anew is switched off here."),
     404: ("UnknownRun", "There is no such measurement, or another one has followed it."),
+    408: ("TooSlow", "The body did not come in time."),
     409: ("UnderWay", "A measurement is under way."),
     413: ("TooCostly", "The request or its body is beyond a limit; `detail` has cost and limit."),
     415: ("NotJson", "The body is not `application/json`."),
@@ -153,7 +154,7 @@ def stored(model: Any, *, forms: bool = False) -> Described:
 
 def posted(model: Any) -> Described:
     """Return the responses of a POST whose body is JSON, in all their forms."""
-    return {200: _success(model, TABLE, NOT_KEPT | TIMED)} | refusals(400, 413, 415, 422, 503)
+    return {200: _success(model, TABLE, NOT_KEPT | TIMED)} | refusals(400, 408, 413, 415, 422, 503)
 
 
 def told(model: Any, status: int = 200) -> Described:

@@ -5,7 +5,8 @@ import sys
 
 import structlog
 from asgi_correlation_id import CorrelationIdMiddleware, correlation_id
-from fastapi import FastAPI
+from fastapi import FastAPI, Response
+from prometheus_client import CONTENT_TYPE_LATEST
 from prometheus_fastapi_instrumentator import Instrumentator, metrics
 from structlog.typing import EventDict, Processor, WrappedLogger
 
@@ -67,7 +68,14 @@ def observe(app: FastAPI, *, log_requests: bool) -> None:
     instrumentator.add(metrics.default(latency_lowr_buckets=(0.003, 0.01, 0.03, 0.1, 0.3, 1.0)))
     instrumentator.add(log)
     instrumentator.instrument(app)
-    instrumentator.expose(app, tags=["service"])
+    instrumentator.expose(
+        app,
+        tags=["service"],
+        name="metrics",
+        summary="For Prometheus",
+        response_class=Response,
+        responses={200: {"content": {CONTENT_TYPE_LATEST: {"schema": {"type": "string"}}}}},
+    )
     # an id of another form than ours is replaced: not worth a warning for each request
     logging.getLogger("asgi_correlation_id").setLevel(logging.ERROR)
     app.add_middleware(CorrelationIdMiddleware)

@@ -47,7 +47,8 @@ async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -
 
     def compute() -> Result:
         columns = _columns(stored["rows"])
-        return Result(stored, lambda: columns, lambda: {**stored, **columns, "rows": len(columns)})
+        whole = {name: value for name, value in stored.items() if not isinstance(value, list)}
+        return Result(stored, lambda: columns, lambda: whole | columns)
 
     version = f"{PROGRAM_VERSION} {stored['measured_at']} {can_run}"
     return await respond(request, query, compute, version, quick=True)
