@@ -67,7 +67,7 @@ def test_service_is_as_described(server, tmp_path):
 def test_service_is_as_described_in_many_more_cases(tmp_path):
     with serving(tmp_path, tradeoff_runs=True) as running:
         # the only DELETE cancels a run, which goes on to tell how far it got: it is not gone
-        found = fuzz(running.url, tmp_path, 500, "--exclude-checks=use_after_free")
+        found = fuzz(running.url, tmp_path, 600, "--exclude-checks=use_after_free")
     assert found["test_cases"]["generated"] >= 10_000
     assert idle(found, "fuzzing") == set()
     assert "Traceback" not in (tmp_path / "log").read_text()
