@@ -20,7 +20,8 @@ RUN /app/venv/bin/pip install --no-cache-dir --no-compile --no-deps --no-build-i
     && /app/venv/bin/pip uninstall --quiet --yes setuptools pip
 COPY deploy/on-this-processor deploy/ready /app/
 COPY frontend /app/frontend
-ENV NUMBA_CACHE_DIR=/app/cache
+ENV NUMBA_CACHE_DIR=/app/cache \
+    RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
 # Kernels for any processor and, if this one can run them, for those of the last ten years.
 RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
     && /app/on-this-processor --newer /app/venv/bin/restitution warm
