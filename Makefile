@@ -35,6 +35,7 @@ check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff format --check
 	$(BIN)/ruff check
 	$(BIN)/mypy
+	$(BIN)/hadolint Dockerfile
 	$(NPM) run --silent check
 
 format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
