@@ -1,6 +1,7 @@
 """A real nginx with the template of the deployment, before real servers and before stubs."""
 
 import http.client
+import inspect
 import json
 import os
 import re
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+import uvicorn
 from set_up_nginx import nginx_of_machine
 
 ROOT = Path(__file__).parents[2]
@@ -55,6 +57,10 @@ class Proxy(NamedTuple):
 
     def collide(self, kappa: float) -> Answer:
         return self.ask(f"{COLLISION}{kappa}")
+
+    def post(self, kappa: list[float]) -> Answer:
+        body = json.dumps({"kappa": kappa, "mu_over_alpha": 1.4, "gt_over_gn": 1})
+        return self.ask("/api/v1/collisions", "POST", body, Content_Type="application/json")
 
 
 class Cluster(NamedTuple):
@@ -235,11 +241,8 @@ def test_other_pages_may_read_answers_that_were_cached_for_our_own(proxy):
 
 
 def test_posts_are_not_cached(proxy):
-    body = json.dumps({"kappa": [18, 63], "mu_over_alpha": 1.4, "gt_over_gn": 1})
     for _ in range(2):
-        answer = proxy.ask(
-            "/api/v1/collisions", "POST", body, **{"Content-Type": "application/json"}
-        )
+        answer = proxy.post([18, 63])
         assert answer.status == 200
         assert len(json.loads(answer.body)["epsilon_t"]) == 2
         assert answer.headers["X-Cache-Status"] is None
@@ -256,9 +259,9 @@ def test_refusals_are_passed_on_and_not_cached(proxy):
 def test_every_answer_bears_the_name_of_its_own_request(proxy):
     names = [
         proxy.ask(f"{COLLISION}16", X_Request_ID=name).headers.get_all("X-Request-ID")
-        for name in ("first", "second")
+        for name in ("0" * 32, "36d1b5ea-6e2c-4e7e-8a0b-5f3a3f6c2f1d")
     ]
-    assert names == [["first"], ["second"]]
+    assert names == [["0" * 32], ["36d1b5ea-6e2c-4e7e-8a0b-5f3a3f6c2f1d"]]
     (made,) = proxy.ask(f"{COLLISION}16", X_Request_ID="a b<script>").headers.get_all(
         "X-Request-ID"
     )
@@ -324,6 +327,12 @@ def test_slow_clients_are_let_go_and_hold_up_nobody(proxy):
             assert CLIENT_SECONDS - 2 < closed.result() < CLIENT_SECONDS + 5
 
 
+def test_connections_are_not_reused_when_the_server_may_be_closing_them():
+    (upstream,) = re.findall(r"upstream servers \{.*?\n    \}\n", TEMPLATE, re.DOTALL)
+    kept = int(re.search(r"keepalive_timeout (\d+)s;", upstream)[1])
+    assert kept < inspect.signature(uvicorn.Config).parameters["timeout_keep_alive"].default
+
+
 def test_saturated_server_is_passed_on(tmp_path):
     headers = {"Retry-After": "7", "Content-Type": "application/problem+json"}
     with stub(503, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
@@ -359,6 +368,7 @@ def test_dead_server_is_not_noticed_and_two_are_reported(launch):
     known = proxy.collide(1)
     processes[0].kill()
     assert {proxy.collide(2 + i).status for i in range(30)} == {200}
+    assert {proxy.post([2 + i]).status for i in range(10)} == {200}
     processes[1].kill()
     processes[1].wait()
     assert_problem(proxy.collide(100), 502)
