@@ -268,6 +268,14 @@ def test_every_answer_bears_the_name_of_its_own_request(proxy):
     assert re.fullmatch(r"[0-9a-f]{32}", made)
 
 
+def test_answer_from_the_cache_does_not_bear_the_name_of_the_first_request(tmp_path):
+    headers = {"Cache-Control": "public, max-age=86400", "X-Request-ID": "f" * 32}
+    with stub(200, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
+        answers = [proxy.ask("/api/", X_Request_ID=digit * 32) for digit in "12"]
+    assert [a.headers["X-Cache-Status"] for a in answers] == ["MISS", "HIT"]
+    assert [a.headers.get_all("X-Request-ID") for a in answers] == [["1" * 32], ["2" * 32]]
+
+
 def test_page_keeps_its_security_headers(proxy):
     answer = proxy.ask("/")
     assert answer.status == 200
