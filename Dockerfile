@@ -1,26 +1,47 @@
-FROM python:3.11-slim-bookworm AS build
+# Another registry's copy of the same base: --build-arg PYTHON_IMAGE=…
+ARG PYTHON_IMAGE=python:3.11.15-slim-bookworm
+
+FROM ${PYTHON_IMAGE} AS build
+# For strip alone. Not pinned: it stays behind in this stage, and a mirror keeps one version only.
+# hadolint ignore=DL3008
+RUN apt-get update && apt-get install --yes --no-install-recommends binutils \
+    && rm -rf /var/lib/apt/lists/*
 RUN python -m venv /app/venv
 COPY requirements.lock /build/
 RUN /app/venv/bin/pip install --no-cache-dir --compile --require-hashes --requirement /build/requirements.lock
+COPY deploy/slim /build/
+RUN /build/slim /app/venv
 COPY pyproject.toml LICENSE /build/
 COPY backend /build/backend
 # The kernels' cache knows a source by its time, of which an image layer keeps whole seconds only.
-RUN /app/venv/bin/pip install --no-cache-dir --compile --no-deps --no-build-isolation /build \
-    && find /app/venv/lib/python3.11/site-packages/restitution -name '*.py' -exec touch --date=@1700000000 {} +
-
-FROM python:3.11-slim-bookworm
-RUN useradd --uid 10001 --user-group --no-create-home restitution \
-    && install --directory --owner=restitution --group=restitution /app/cache
-COPY --from=build /app/venv /app/venv
+RUN /app/venv/bin/pip install --no-cache-dir --no-compile --no-deps --no-build-isolation /build \
+    && find /app/venv/lib/python3.11/site-packages/restitution -name '*.py' -exec touch --date=@1700000000 {} + \
+    && /app/venv/bin/python -m compileall -q /app/venv/lib/python3.11/site-packages/restitution \
+    && /app/venv/bin/pip uninstall --quiet --yes setuptools pip
+COPY deploy/on-this-processor deploy/ready /app/
 COPY frontend /app/frontend
+ENV NUMBA_CACHE_DIR=/app/cache \
+    RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
+# Kernels for any processor and, if this one can run them, for those of the last ten years.
+RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
+    && /app/on-this-processor --newer /app/venv/bin/restitution warm
+
+FROM ${PYTHON_IMAGE}
+LABEL org.opencontainers.image.title="Restitution" \
+      org.opencontainers.image.description="Coefficient of tangential restitution of colliding frictional spheres: a page and a REST service" \
+      org.opencontainers.image.version="0.1.0" \
+      org.opencontainers.image.licenses="MIT"
+# The base's own pip and setuptools: nothing is installed from here on.
+RUN rm -rf /usr/local/lib/python3.11/site-packages/* /usr/local/lib/python3.11/ensurepip /usr/local/bin/pip* \
+    && useradd --uid 10001 --user-group --no-create-home --home-dir /nonexistent --shell /usr/sbin/nologin restitution
+COPY --from=build /app /app
 ENV PATH=/app/venv/bin:$PATH \
     PYTHONUNBUFFERED=1 \
+    PYTHONDONTWRITEBYTECODE=1 \
     NUMBA_CACHE_DIR=/app/cache \
     RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
 USER 10001:10001
-# The cache must belong to the user that runs the server: hence after USER.
-RUN restitution warm
 EXPOSE 8000
-HEALTHCHECK --interval=30s --timeout=3s --start-period=60s \
-    CMD ["python", "-c", "__import__('urllib.request').request.urlopen('http://127.0.0.1:8000/healthz',timeout=2)"]
+HEALTHCHECK --interval=3s --timeout=3s --start-period=60s CMD ["/app/ready"]
+ENTRYPOINT ["/app/on-this-processor"]
 CMD ["restitution", "serve", "--host", "0.0.0.0", "--port", "8000"]

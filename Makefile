@@ -16,6 +16,7 @@ NPM := PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-version 3.11 \
 	--generate-hashes --no-emit-index-url --no-header
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
+WITH_NGINX := NGINX="$$($(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
 .DEFAULT_GOAL := help
 .PHONY: help serve test check format bench tradeoff verify screenshots lock clean
@@ -27,13 +28,14 @@ serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HO
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
 
 test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest
+	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest
 	$(NPM) run --silent test
 
 check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff format --check
 	$(BIN)/ruff check
 	$(BIN)/mypy
+	$(BIN)/hadolint Dockerfile
 	$(NPM) run --silent check
 
 format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right

@@ -1,7 +1,9 @@
 """Compile numerical kernels with numba and keep the machine code between runs."""
 
+import contextlib
 import hashlib
 import os
+import shutil
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
@@ -28,28 +30,40 @@ another file does; a cache folder named after all sources cannot go stale.
 """
 
 
-def _writable_cache_folder() -> str:
-    """Return the first folder of a short list in which files can be made."""
+def _cache_folder() -> str:
+    """Return the first folder of a short list in which files can be made.
+
+    A folder before it that can only be read, as in an image, lends what it has: numba reads no
+    cache that it could not write to, so the folder returned is given links to the files.
+    """
     candidates = (
         os.environ.get("NUMBA_CACHE_DIR"),
         os.environ.get("XDG_CACHE_HOME"),
         Path.home() / ".cache",
         tempfile.gettempdir(),
     )
+    lent: list[Path] = []
     for candidate in candidates:
         if not candidate:
             continue
-        folder = Path(candidate, "restitution", MODEL_VERSION)
+        folder = Path(candidate, "restitution", MODEL_VERSION).absolute()
         try:
             folder.mkdir(parents=True, exist_ok=True)
             with tempfile.TemporaryFile(dir=folder):
-                return str(folder)
+                pass
         except OSError:
+            if folder.is_dir():
+                lent.append(folder)
             continue
+        for other in lent:
+            # another worker may have linked some of them: the rest are linked all the same
+            with contextlib.suppress(shutil.Error):
+                shutil.copytree(other, folder, copy_function=os.symlink, dirs_exist_ok=True)
+        return str(folder)
     return ""
 
 
-CACHE_FOLDER = _writable_cache_folder()
+CACHE_FOLDER = _cache_folder()
 if CACHE_FOLDER:
     numba.config.CACHE_DIR = CACHE_FOLDER  # type: ignore[attr-defined] # set up at run time
 

@@ -1,0 +1,384 @@
+"""A real nginx with the template of the deployment, before real servers and before stubs."""
+
+import http.client
+import inspect
+import json
+import os
+import re
+import socket
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, contextmanager, suppress
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+import uvicorn
+from set_up_nginx import nginx_of_machine
+
+ROOT = Path(__file__).parents[2]
+TEMPLATE = (ROOT / "deploy" / "nginx.conf.template").read_text(encoding="utf-8")
+NGINX = nginx_of_machine()
+COLLISION = "/api/v1/collision?mu_over_alpha=1.4&gt_over_gn=1.358&quantities=epsilon_t&kappa="
+TRACE = "/api/v1/trace?mu_over_alpha=1.4&gt_over_gn=1.358&kappa="
+START_SECONDS = 60
+CLIENT_SECONDS = 10
+"""What the template grants a client for its headers, and between two pieces of a body."""
+
+pytestmark = pytest.mark.skipif(not NGINX, reason="there is no nginx: `make test` installs one")
+
+
+class Answer(NamedTuple):
+    status: int
+    headers: http.client.HTTPMessage
+    body: bytes
+
+
+class Proxy(NamedTuple):
+    """An nginx that runs."""
+
+    port: int
+    folder: Path
+
+    def ask(self, path: str, method: str = "GET", body: object = None, **headers: str) -> Answer:
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        try:
+            named = {name.replace("_", "-"): value for name, value in headers.items()}
+            connection.request(method, path, body, named)
+            response = connection.getresponse()
+            return Answer(response.status, response.headers, response.read())
+        finally:
+            connection.close()
+
+    def collide(self, kappa: float) -> Answer:
+        return self.ask(f"{COLLISION}{kappa}")
+
+    def post(self, kappa: list[float]) -> Answer:
+        body = json.dumps({"kappa": kappa, "mu_over_alpha": 1.4, "gt_over_gn": 1})
+        return self.ask("/api/v1/collisions", "POST", body, Content_Type="application/json")
+
+
+class Cluster(NamedTuple):
+    proxy: Proxy
+    processes: list[subprocess.Popen]
+
+
+def free_port() -> int:
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        return int(listener.getsockname()[1])
+
+
+def filled_in(ports: list[int], listen: int, concurrency: int) -> str:
+    """Return the template as nginx's image fills it in, for `ports` of this machine."""
+    values = {
+        "LISTEN": f"127.0.0.1:{listen}",
+        "RESOLVER": "127.0.0.1",
+        "SERVERS": "".join(f"server 127.0.0.1:{p} max_fails=1 fail_timeout=2s;" for p in ports),
+        "CONCURRENCY": str(concurrency),
+        "CONCURRENCY_PER_ADDRESS": str(concurrency),
+    }
+    return re.sub(r"\$\{RESTITUTION_PROXY_(\w+)\}", lambda name: values[name[1]], TEMPLATE)
+
+
+@contextmanager
+def nginx(folder: Path, ports: list[int], concurrency: int = 1024) -> Iterator[Proxy]:
+    """Run nginx before servers on `ports`."""
+    port = free_port()
+    folder.mkdir()
+    configuration = folder / "nginx.conf"
+    configuration.write_text(filled_in(ports, port, concurrency))
+    # root's workers would become a user who may not enter pytest's folders
+    globals_ = "daemon off;" + ("user root;" if os.geteuid() == 0 else "")
+    with (folder / "log").open("ab") as log:
+        process = subprocess.Popen(
+            [NGINX, "-p", f"{folder}/", "-c", configuration, "-g", globals_],
+            stdout=log,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        # which it answers itself
+        wait_for(port, process, folder / "log", "/metrics")
+        yield Proxy(port, folder)
+    finally:
+        process.terminate()
+        process.wait(timeout=10)
+
+
+def wait_for(port: int, process: subprocess.Popen, log: Path, path: str) -> None:
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline and process.poll() is None:
+        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=5)
+        try:
+            connection.request("GET", path)
+            if connection.getresponse().status != 503:
+                return
+        except OSError:
+            pass
+        finally:
+            connection.close()
+        time.sleep(0.1)
+    pytest.fail(f"no answer:\n{log.read_text(errors='replace')}")
+
+
+@pytest.fixture(scope="module")
+def launch(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[], Cluster]]:
+    """Start two servers, and nginx before them."""
+    with ExitStack() as stack:
+
+        def start() -> Cluster:
+            folder = tmp_path_factory.mktemp("cluster")
+            ports, processes = [free_port(), free_port()], []
+            for port in ports:
+                log = stack.enter_context((folder / f"server-{port}").open("wb"))
+                process = subprocess.Popen(
+                    [Path(sys.executable).with_name("restitution"), "serve", "--port", str(port)],
+                    stdout=log,
+                    stderr=subprocess.STDOUT,
+                )
+                stack.callback(process.wait, timeout=20)
+                stack.callback(process.terminate)
+                processes.append(process)
+            for port, process in zip(ports, processes, strict=True):
+                wait_for(port, process, folder / f"server-{port}", "/readyz")
+            return Cluster(stack.enter_context(nginx(folder / "nginx", ports)), processes)
+
+        yield start
+
+
+@pytest.fixture(scope="module")
+def proxy(launch: Callable[[], Cluster]) -> Proxy:
+    return launch().proxy
+
+
+@contextmanager
+def stub(status: int, headers: dict[str, str], seconds: float = 0.0) -> Iterator[int]:
+    """Run a server that answers everything alike, after a while; its port."""
+
+    class Handler(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            time.sleep(seconds)
+            self.send_response(status)
+            for name, value in {"Content-Length": "2", **headers}.items():
+                self.send_header(name, value)
+            self.end_headers()
+            self.wfile.write(b"{}")
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield server.server_port
+        server.shutdown()
+
+
+def assert_problem(answer: Answer, status: int) -> None:
+    assert answer.status == status
+    assert answer.headers["Content-Type"] == "application/problem+json"
+    assert answer.headers["Cache-Control"] == "no-store"
+    problem = json.loads(answer.body)
+    assert set(problem) == {"type", "title", "status", "detail"}
+    assert problem["status"] == status
+    assert problem["title"] == http.HTTPStatus(status).phrase
+    assert bool(answer.headers["Retry-After"]) == (status in {502, 503, 504})
+    assert answer.headers["X-Request-ID"]
+
+
+def test_repeated_requests_come_from_the_cache(proxy):
+    first, second = (proxy.collide(11) for _ in range(2))
+    assert [first.status, second.status] == [200, 200]
+    assert [first.headers["X-Cache-Status"], second.headers["X-Cache-Status"]] == ["MISS", "HIT"]
+    assert first.body == second.body
+    assert second.headers["ETag"] == first.headers["ETag"]
+    assert second.headers["Cache-Control"] == "public, max-age=86400"
+
+
+def test_known_answer_is_not_sent_again(proxy):
+    tag = proxy.collide(12).headers["ETag"]
+    answer = proxy.ask(f"{COLLISION}12", If_None_Match=tag)
+    assert (answer.status, answer.body) == (304, b"")
+    assert answer.headers["ETag"] == tag
+
+
+def test_first_request_with_a_known_answer_is_answered_304_too(proxy):
+    tag = proxy.ask(f"{COLLISION}12.5&format=csv").headers["ETag"]
+    answer = proxy.ask(f"{COLLISION}12.5&format=csv&encoding=plain", If_None_Match=tag)
+    assert answer.status == 304
+
+
+def test_head_is_answered_from_the_cache(proxy):
+    whole = proxy.collide(13)
+    answer = proxy.ask(f"{COLLISION}13", "HEAD")
+    assert (answer.status, answer.body) == (200, b"")
+    assert answer.headers["X-Cache-Status"] == "HIT"
+    assert answer.headers["Content-Length"] == str(len(whole.body))
+
+
+def test_every_client_gets_an_encoding_that_it_reads(proxy):
+    plain = proxy.ask(f"{TRACE}14")
+    packed = [
+        proxy.ask(f"{TRACE}14", Accept_Encoding=accepted)
+        for accepted in ("gzip", "deflate, gzip;q=0.8", "gzip, deflate")
+    ]
+    assert plain.headers["Content-Encoding"] is None
+    assert [answer.headers["Content-Encoding"] for answer in packed] == ["gzip"] * 3
+    assert [answer.headers["X-Cache-Status"] for answer in packed] == ["MISS", "HIT", "HIT"]
+    assert all(len(answer.body) < len(plain.body) for answer in packed)
+    assert "Accept-Encoding" in plain.headers["Vary"]
+    assert proxy.ask(f"{TRACE}14").headers["Content-Encoding"] is None
+
+
+def test_other_pages_may_read_answers_that_were_cached_for_our_own(proxy):
+    proxy.collide(15)
+    answer = proxy.ask(f"{COLLISION}15", Origin="https://lesson.example")
+    assert answer.headers["Access-Control-Allow-Origin"] == "*"
+
+
+def test_posts_are_not_cached(proxy):
+    for _ in range(2):
+        answer = proxy.post([18, 63])
+        assert answer.status == 200
+        assert len(json.loads(answer.body)["epsilon_t"]) == 2
+        assert answer.headers["X-Cache-Status"] is None
+
+
+def test_refusals_are_passed_on_and_not_cached(proxy):
+    for _ in range(2):
+        answer = proxy.collide(-1)
+        assert answer.status == 422
+        assert answer.headers["X-Cache-Status"] == "MISS"
+        assert json.loads(answer.body)["errors"][0]["parameter"] == "kappa"
+
+
+def test_every_answer_bears_the_name_of_its_own_request(proxy):
+    names = [
+        proxy.ask(f"{COLLISION}16", X_Request_ID=name).headers.get_all("X-Request-ID")
+        for name in ("0" * 32, "36d1b5ea-6e2c-4e7e-8a0b-5f3a3f6c2f1d")
+    ]
+    assert names == [["0" * 32], ["36d1b5ea-6e2c-4e7e-8a0b-5f3a3f6c2f1d"]]
+    (made,) = proxy.ask(f"{COLLISION}16", X_Request_ID="a b<script>").headers.get_all(
+        "X-Request-ID"
+    )
+    assert re.fullmatch(r"[0-9a-f]{32}", made)
+
+
+def test_answer_from_the_cache_does_not_bear_the_name_of_the_first_request(tmp_path):
+    headers = {"Cache-Control": "public, max-age=86400", "X-Request-ID": "f" * 32}
+    with stub(200, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
+        answers = [proxy.ask("/api/", X_Request_ID=digit * 32) for digit in "12"]
+    assert [a.headers["X-Cache-Status"] for a in answers] == ["MISS", "HIT"]
+    assert [a.headers.get_all("X-Request-ID") for a in answers] == [["1" * 32], ["2" * 32]]
+
+
+def test_page_keeps_its_security_headers(proxy):
+    answer = proxy.ask("/")
+    assert answer.status == 200
+    assert "default-src 'self'" in answer.headers["Content-Security-Policy"]
+    assert answer.headers["X-Content-Type-Options"] == "nosniff"
+    assert b"<html" in answer.body
+
+
+def test_metrics_are_not_for_everyone(proxy):
+    assert_problem(proxy.ask("/metrics"), 404)
+
+
+def test_bodies_have_the_limits_of_the_service(proxy):
+    too_long = b" " * (41 * 2**20)
+    assert_problem(proxy.ask("/api/v1/collisions", "POST", too_long), 413)
+    assert_problem(proxy.ask("/api/v1/scaling", "POST", too_long[: 3 * 2**20]), 413)
+    within = proxy.ask("/api/v1/collisions", "POST", too_long[: 39 * 2**20])
+    assert within.headers["Content-Type"] == "application/problem+json"
+    assert within.status != 413
+
+
+def test_what_is_no_http_is_refused_as_a_problem(proxy):
+    with socket.create_connection(("127.0.0.1", proxy.port)) as client:
+        client.sendall(b"nonsense\r\n\r\n")
+        answer = client.recv(10_000)
+    assert b"application/problem+json" in answer
+    assert_problem(proxy.ask("/", X_Long="a" * 20_000), 431)
+    assert_problem(proxy.ask(f"/{'a' * 20_000}"), 414)
+
+
+def test_log_names_no_address_of_a_client():
+    (log_format,) = re.findall(r"log_format.*?;", TEMPLATE, re.DOTALL)
+    assert "$uri" in log_format
+    assert not re.search(r"\$(remote|realip|proxy_protocol|http_|args|request_uri)", log_format)
+
+
+def test_slow_clients_are_let_go_and_hold_up_nobody(proxy):
+    def linger(beginning: bytes) -> float:
+        """Return after how long the connection of a client that says no more is closed."""
+        with socket.create_connection(("127.0.0.1", proxy.port), timeout=60) as client:
+            client.sendall(beginning)
+            begin = time.monotonic()
+            with suppress(ConnectionResetError):
+                while client.recv(1000):
+                    pass
+            return time.monotonic() - begin
+
+    headers = b"GET /api/v1/presets HTTP/1.1\r\nHost: a\r\nX-Slow: "
+    body = b"POST /api/v1/collisions HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\n{"
+    with ThreadPoolExecutor(40) as pool:
+        slow = [pool.submit(linger, text) for text in [headers, body] * 20]
+        time.sleep(0.5)
+        begin = time.monotonic()
+        assert [proxy.collide(20 + i).status for i in range(20)] == [200] * 20
+        assert time.monotonic() - begin < 5
+        for closed in slow:
+            assert CLIENT_SECONDS - 2 < closed.result() < CLIENT_SECONDS + 5
+
+
+def test_connections_are_not_reused_when_the_server_may_be_closing_them():
+    (upstream,) = re.findall(r"upstream servers \{.*?\n    \}\n", TEMPLATE, re.DOTALL)
+    kept = int(re.search(r"keepalive_timeout (\d+)s;", upstream)[1])
+    assert kept < inspect.signature(uvicorn.Config).parameters["timeout_keep_alive"].default
+
+
+def test_saturated_server_is_passed_on(tmp_path):
+    headers = {"Retry-After": "7", "Content-Type": "application/problem+json"}
+    with stub(503, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
+        for _ in range(3):
+            answer = proxy.collide(1)
+            assert (answer.status, answer.body) == (503, b"{}")
+            assert answer.headers["Retry-After"] == "7"
+
+
+def test_more_requests_at_once_than_allowed_are_refused(tmp_path):
+    with stub(200, {}, seconds=1.0) as port, nginx(tmp_path / "nginx", [port], 2) as proxy:
+        with ThreadPoolExecutor(5) as pool:
+            answers = list(pool.map(proxy.collide, range(5)))
+        assert sorted(answer.status for answer in answers) == [200, 200, 503, 503, 503]
+        for answer in answers:
+            if answer.status == 503:
+                assert_problem(answer, 503)
+
+
+def test_equal_requests_at_once_are_computed_once(tmp_path):
+    headers = {"Cache-Control": "public, max-age=86400"}
+    with (
+        stub(200, headers, seconds=0.5) as port,
+        nginx(tmp_path / "nginx", [port]) as proxy,
+        ThreadPoolExecutor(8) as pool,
+    ):
+        states = [a.headers["X-Cache-Status"] for a in pool.map(proxy.collide, [1] * 8)]
+    assert sorted(states) == ["HIT"] * 7 + ["MISS"]
+
+
+def test_dead_server_is_not_noticed_and_two_are_reported(launch):
+    proxy, processes = launch()
+    known = proxy.collide(1)
+    processes[0].kill()
+    assert {proxy.collide(2 + i).status for i in range(30)} == {200}
+    assert {proxy.post([2 + i]).status for i in range(10)} == {200}
+    processes[1].kill()
+    processes[1].wait()
+    assert_problem(proxy.collide(100), 502)
+    assert_problem(proxy.collide(101), 502)
+    assert proxy.collide(1).body == known.body

@@ -1,0 +1,82 @@
+"""Kernels are kept between runs, and taken from folders that can only be read."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+from restitution.mechanics.compiled import MODEL_VERSION
+
+RUN = """
+import sys
+import tempfile
+from pathlib import Path
+
+make = tempfile.TemporaryFile
+
+def refuse(*arguments, dir, **options):
+    # as a read-only file system does, also to root
+    if Path(dir).is_relative_to(sys.argv[1]):
+        raise PermissionError(dir)
+    return make(*arguments, dir=dir, **options)
+
+tempfile.TemporaryFile = refuse
+
+from restitution.mechanics.compiled import CACHE_FOLDER
+from restitution.mechanics.hertz import normal_motion
+
+normal_motion(0.5)
+print(CACHE_FOLDER)
+"""
+
+
+def run(first: Path, second: Path, read_only: Path, processor: str = "generic") -> Path:
+    """Use a kernel with a cache in `first`, or in `second` if that one is read-only."""
+    environment = {
+        **os.environ,
+        "NUMBA_CACHE_DIR": str(first),
+        "XDG_CACHE_HOME": str(second),
+        "NUMBA_CPU_NAME": processor,
+        "NUMBA_CPU_FEATURES": "",
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", RUN, read_only],
+        env=environment,
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    return Path(done.stdout.strip())
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    """Return the files below `folder` that are no links."""
+    return {
+        f.name: f.read_bytes() for f in folder.rglob("*.nb?") if f.is_file() and not f.is_symlink()
+    }
+
+
+def test_kernels_are_kept_for_the_next_run(tmp_path):
+    folder = run(tmp_path / "a", tmp_path / "b", tmp_path / "none")
+    assert folder == tmp_path / "a" / "restitution" / MODEL_VERSION
+    kept = files(folder)
+    assert kept
+    assert run(tmp_path / "a", tmp_path / "b", tmp_path / "none") == folder
+    assert files(folder) == kept
+
+
+def test_kernels_in_a_read_only_folder_are_used_from_another(tmp_path):
+    kept = files(run(tmp_path / "a", tmp_path / "b", tmp_path / "none"))
+    for _ in range(2):
+        folder = run(tmp_path / "a", tmp_path / "b", tmp_path / "a")
+        assert folder == tmp_path / "b" / "restitution" / MODEL_VERSION
+        assert {f.name for f in folder.rglob("*.nb?")} == set(kept)
+        assert not files(folder)
+
+
+def test_kernels_missing_in_a_read_only_folder_are_compiled_into_the_other(tmp_path):
+    original = run(tmp_path / "a", tmp_path / "b", tmp_path / "none")
+    kept = files(original)
+    folder = run(tmp_path / "a", tmp_path / "b", tmp_path / "a", "x86-64")
+    assert files(folder)
+    assert files(original) == kept
