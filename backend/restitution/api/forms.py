@@ -74,7 +74,7 @@ async def respond(
     `version` stands for everything else that the answer depends on; `quick` says that computing
     and writing it takes no more than some milliseconds.
     """
-    tag = entity_tag(request.url.path, query, version)
+    tag = entity_tag(request.scope["path"], query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
     if known := known_tag(tag, request.headers.get("if-none-match", "")):
         return Response(None, 304, headers | {"ETag": known})
@@ -106,7 +106,7 @@ def _computed(
     begin = time.perf_counter()
     result = compute()
     elapsed = time.perf_counter() - begin
-    COMPUTE.labels(request.url.path.rpartition("/")[2]).observe(elapsed)
+    COMPUTE.labels(request.scope["path"].rpartition("/")[2]).observe(elapsed)
     if (method := result.payload.get("method")) is not None:
         METHOD.labels(method if isinstance(method, str) else "list").inc()
     headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"

@@ -34,7 +34,7 @@ def _repeated(request: Request) -> list[dict[str, Any]]:
 
 def _misfits(request: Request) -> list[dict[str, Any]]:
     """Return the entries for parameters of a query that do not suit each other."""
-    find = MISFITS.get(request.url.path.rpartition("/")[2])
+    find = MISFITS.get(request.scope["path"].rpartition("/")[2])
     query = request.query_params
     return [refusal(name, query.get(name), text) for name, text in (find(query) if find else ())]
 
