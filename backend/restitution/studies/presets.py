@@ -21,7 +21,7 @@ class Preset:
     damping: float = 0.0
 
 
-_LETTERS = {
+LETTERS = {
     "a": 2.2,
     "b": 1.9,
     "c": 1.6,
@@ -54,7 +54,7 @@ PRESETS = (
             round(1.4 * psi, 4),
             f"{_FIGURE_5}{psi:g}, chosen by us",
         )
-        for letter, psi in _LETTERS.items()
+        for letter, psi in LETTERS.items()
     ),
     Preset(
         "figure-6",
