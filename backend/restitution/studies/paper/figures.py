@@ -196,7 +196,7 @@ def figure_5() -> Item:
     verdicts = [_sequence(kappa) for kappa in (PRINTED_KAPPA, KAPPA)]
     signs = ", ".join(
         f"{letter} {switches} (ε_t {'>' if positive else '<'} 0)"
-        for letter, (switches, positive) in zip("abcefg", _letters(KAPPA), strict=True)
+        for letter, (switches, positive) in zip("abcefg", _letters(KAPPA), strict=False)
     )
     return figure(
         5,
