@@ -13,6 +13,9 @@ import { typeset } from "./typeset.js";
 const SAID = 2000;
 const TALL_DESK = "(min-width: 75rem) and (min-height: 75rem)";
 
+/** Where the skip link leads in scenes without the usual controls. @type {Record<string, string>} */
+const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
+
 /**
  * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
  * @param {object} handlers
@@ -86,7 +89,7 @@ export function mountShell({ present, onOption }) {
         const own = part.getAttribute("data-scene")?.split(" ") ?? [];
         part.toggleAttribute("hidden", !own.includes(scene));
       }
-      skip.href = scene === "spheres" ? "#impact-controls" : "#controls";
+      skip.href = `#${MAIN_PARTS[scene] ?? "controls"}`;
       for (const { id, link } of links) {
         link.href = writeAddress({ ...state, scene: id });
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
