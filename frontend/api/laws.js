@@ -1,8 +1,8 @@
 // @ts-check
 
-/** The frictions whose curves fall on one another over ψ, at the κ of Fig. 5. */
-const FRICTIONS = [0.7, 1.4, 2.8];
-const COLLAPSE = { kappa: 63, lowest: 0.01, highest: 3, count: 600 };
+/** The frictions whose curves fall on one another over ψ, at a κ as of solid spheres. */
+const FRICTIONS = [0.5, 1.4, 3.5];
+const COLLAPSE = { kappa: 5, lowest: 0.01, highest: 3, count: 600 };
 
 /** Each ψ of the stiff springs that are looked at. */
 const STIFF_PSIS = [0.2, 0.5, 1, 1.5, 1.9];

@@ -64,7 +64,7 @@ export function collapseFigure(curves, theme, size) {
       },
       yaxis: { ...vertical, ...zero, title, domain: [0.5 + GAP / 2, 1] },
       xaxis2: {
-        ...even(theme, Math.floor(farthest)),
+        ...even(theme, Math.round(farthest)),
         title: axisTitle(PLOT_SYMBOLS.psi, 2, theme),
         anchor: "y2",
       },

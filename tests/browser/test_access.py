@@ -24,6 +24,7 @@ STATES = {
     "first": "/",
     "real spheres": "/?scene=spheres&material=alumina-on-glass",
     "speed and accuracy": "/?scene=accuracy&method=timestep",
+    "the paper": "/?scene=paper",
     "switches on logarithmic axes": "/?kappa=2000&map=switches&scale=log",
     "no such address": "/?kappa=spring",
 }
@@ -55,7 +56,7 @@ FOCUSED = """() => {
     "state",
     [
         s
-        if s in {"first", "real spheres", "speed and accuracy"}
+        if s in {"first", "real spheres", "speed and accuracy", "the paper"}
         else pytest.param(s, marks=pytest.mark.verify)
         for s in STATES
     ],

@@ -103,9 +103,9 @@ test("createLaws asks for the same ψ at every friction", async () => {
   assert.deepEqual(
     asked.map(([call, { kappa }]) => [call, kappa]),
     [
-      ["cut", "63"],
-      ["cut", "63"],
-      ["cut", "63"],
+      ["cut", "5"],
+      ["cut", "5"],
+      ["cut", "5"],
     ],
   );
   for (const { psi } of curves) {

@@ -305,7 +305,7 @@ def equation_9() -> Item:
     return equation(
         9,
         "2",
-        "ζ(t) = ∫₀^t g_t dt′",
+        "ζ(t) = ∫₀^{t} g_t dt′",
         f"dζ/dt = g_t holds within {number(sticking, 1)} while the contact sticks; while it slides "
         f"they are up to {number(sliding, 2)} apart, for the spring is held at the cap. Taken "
         f"throughout, Eq. 9 changes ε_t by up to {number(apart, 2)}",
