@@ -34,8 +34,8 @@ export function mountPresets(element, onChoose) {
       }
     }
     // What a figure shows is said where it is shown, with its axes.
-    const figure = chosen && present && isAt(present, chosen.link) ? `${chosen.caption} ` : "";
-    typeset(source, chosen ? `${chosen.title}: ${figure}${chosen.source}` : "");
+    const caption = chosen && present && isAt(present, chosen.link) ? chosen.caption : "";
+    typeset(source, chosen ? `${chosen.title}: ${caption || chosen.source}` : "");
     markSpheres();
   }
 

@@ -75,9 +75,8 @@ _MAP_4 = {"map": "switches", "map_x": "alpha_kappa", "map_y": "gt_over_gn", "sca
 _STEEL = {"scene": "spheres", "material": "steel", "normal_velocity_m_s": "100"}
 
 _LETTER_CAPTION = (
-    "The tangential force over μ between plus and minus the normal one, over time. The paper's κ = "
-    "18 is read as ακ, and the g_t/g_n of this letter is ours, in the range that the text "
-    "describes."
+    "the tangential force over μ between plus and minus the normal one, over time. The paper's κ = "
+    "18 is read as ακ; the paper does not give its g_t/g_n, ours has ψ = "
 )
 
 PRESETS = (
@@ -129,7 +128,7 @@ PRESETS = (
             f"Fig. 5 {letter}",
             (63.0, 1.4, round(1.4 * psi, 4)),
             f"{_FIGURE_5}{psi:g}, chosen by us",
-            _LETTER_CAPTION,
+            f"{_LETTER_CAPTION}{psi:g}.",
         )
         for letter, psi in LETTERS.items()
     ),
