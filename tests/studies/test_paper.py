@@ -286,8 +286,8 @@ def _damped_course(eta, kappa, psi, steps=100_000):
             ("fails", "holds"),
         ),
         (
-            "conclusion_claims.MINDLIN",
-            1000.0,
+            "conclusion_claims.mindlin_kappa",
+            lambda: 1000.0,
             conclusion_claims.sensible_constant,
             ("corrected", "holds"),
         ),

@@ -75,8 +75,8 @@ _MAP_4 = {"map": "switches", "map_x": "alpha_kappa", "map_y": "gt_over_gn", "sca
 _STEEL = {"scene": "spheres", "material": "steel", "normal_velocity_m_s": "100"}
 
 _LETTER_CAPTION = (
-    "the tangential force over μ between plus and minus the normal one, over time. The paper's κ = "
-    "18 is read as ακ; the paper does not give its g_t/g_n, ours has ψ = "
+    "the tangential force over μ between plus and minus the normal one, over time. The paper's κ "
+    "= 18 is read as ακ; the paper does not give its g_t/g_n, ours has ψ = "
 )
 
 PRESETS = (
@@ -86,9 +86,8 @@ PRESETS = (
         (5896.51, 1.4, 1.0),
         f"{PAPER}: Fig. 1; velocities ours",
         "ε_t by Coulomb's law with a cut-off (Eq. 16) over both velocities, μ = 0.4, α = 2/7: "
-        "zero up "
-        "to g_t = 2.8 g_n, then rising towards 1. The axes, to 200 m/s as in Fig. 2, and the point "
-        "are our choice.",
+        "zero up to g_t = 2.8 g_n, then rising towards 1. The axes, to 200 m/s as in Fig. 2, and "
+        "the point are our choice.",
         _STEEL | {"tangential_velocity_m_s": "100", "velocity_law": "coulomb"},
     ),
     _preset(
@@ -96,10 +95,9 @@ PRESETS = (
         "Fig. 2 · steel spheres",
         (5896.51, 1.4, 0.05),
         f"{PAPER}: Fig. 2; point ours",
-        "ε_t of equal steel spheres, R = 2 cm, k_t = 10¹² N/m, μ = 0.4, over both velocities up to "
-        "200 m/s: as Fig. 1 but at the smallest g_t, where it swings and is negative. No damping; "
-        "the "
-        "steel is taken to stay elastic, which it does not.",
+        "ε_t of equal steel spheres, R = 2 cm, k_t = 10¹² N/m, μ = 0.4, over both velocities up "
+        "to 200 m/s: as Fig. 1 but at the smallest g_t, where it swings and is negative. No "
+        "damping; the steel is taken to stay elastic, which it does not.",
         _STEEL | {"tangential_velocity_m_s": "5", "velocity_law": "epsilon_t"},
     ),
     _preset(
@@ -107,9 +105,9 @@ PRESETS = (
         "Fig. 3 · the surface ε_t",
         (30.0, 1.4, 0.5),
         f"{PAPER}: Fig. 3; point ours",
-        "ε_t of the scaled collision over κ and g_t/g_n: a plateau near zero below g_t/g_n = 2.8, "
-        "swings at small g_t/g_n. The paper gives neither axes nor μ/α: ours are those of Fig. 4, "
-        "and 1.4. The box 3-D lifts the map to the paper's surface.",
+        "ε_t of the scaled collision over κ and g_t/g_n: a plateau near zero below g_t/g_n = "
+        "2.8, swings at small g_t/g_n. The paper gives neither axes nor μ/α: ours are those of "
+        "Fig. 4, and 1.4. The box 3-D lifts the map to the paper's surface.",
         {"map": "epsilon_t", "map_x": "kappa", "map_y": "gt_over_gn", "scale": "linear"},
     ),
     _preset(
@@ -117,9 +115,9 @@ PRESETS = (
         "Fig. 4 · switch counts",
         (63.0, 1.4, 1.36),
         f"{PAPER}: Fig. 4; point ours",
-        "How often the contact changes between sliding and sticking, over ακ 0…20 and g_t/g_n 0…4, "
-        "μ = 0.4, α = 2/7. The paper labels the axis κ; only as ακ does it have its switches. Its "
-        "letters stand at ακ = 18.",
+        "How often the contact changes between sliding and sticking, over ακ 0…20 and g_t/g_n "
+        "0…4, μ = 0.4, α = 2/7. The paper labels the axis κ; only as ακ does it have its "
+        "switches. Its letters stand at ακ = 18.",
         _MAP_4,
     ),
     *(
@@ -137,9 +135,9 @@ PRESETS = (
         "Fig. 6 · a stiff spring",
         (100.0, 1.0, 0.3),
         f"{PAPER}: Fig. 6; it gives no μ/α, and 1 fits its first minimum shortly after t = 1",
-        "Force and tangential velocity of a stiff spring, κ = 100, g_t/g_n = 0.3: it stops, and in "
-        "many short slides nearly all of the velocity is lost. Where the paper has z(0) = 0.3, the "
-        "velocity dz/dt is meant; μ/α = 1 is our choice.",
+        "Force and tangential velocity of a stiff spring, κ = 100, g_t/g_n = 0.3: it stops, and "
+        "in many short slides nearly all of the velocity is lost. Where the paper has z(0) = "
+        "0.3, the velocity dz/dt is meant; μ/α = 1 is our choice.",
     ),
     _preset(
         "stiff-limit",
@@ -164,8 +162,8 @@ PRESETS = (
         "mindlin",
         "Mindlin-like",
         (4.521, 1.4, 0.8),
-        "Mindlin's stiffness at the largest compression, one material with ν = 0.3; "
-        "R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)",
+        "Mindlin's stiffness at the largest compression, one material with ν = 0.3; R. D. "
+        "Mindlin, J. Appl. Mech. 16, 259 (1949)",
     ),
     _preset(
         "alumina-on-glass",

@@ -11,6 +11,7 @@ from restitution.studies.paper.item import Item, judged, number, scene, shown
 from restitution.studies.paper.samples import (
     KAPPA,
     MU_OVER_ALPHA,
+    mindlin_kappa,
 )
 from restitution.studies.paper.scaled_equations import (
     GOOD_ACCURACY,
@@ -18,29 +19,27 @@ from restitution.studies.paper.scaled_equations import (
 )
 from restitution.studies.paper.sliding_claims import claim
 
-MINDLIN = 4.521
-"""κ of Mindlin's stiffness at the largest compression, one material with ν = 0.3 (M1949)."""
-
 
 def sensible_constant() -> Item:
     """Return the best constant of the pragmatic model."""
-    best = {kappa: float(np.mean(plateau(kappa))) for kappa in (MINDLIN, KAPPA, 1000.0)}
-    left = float(np.std(plateau(MINDLIN)))
+    mindlin = mindlin_kappa()
+    best = {kappa: float(np.mean(plateau(kappa))) for kappa in (mindlin, KAPPA, 1000.0)}
+    left = float(np.std(plateau(mindlin)))
     return claim(
         "sensible-constant",
         "4.4",
         "in max[ε_0, 1 − μ(1 + ε_n)g_n/(αg_t)] the only sensible constant is ε_0 = 0",
         f"the mean of ε_t over Eq. 30's range is {number(best[1000.0], 1)} at κ = 1000, "
-        f"{number(best[KAPPA], 1)} at {number(KAPPA, 2)}, but {number(best[MINDLIN], 2)} at κ = "
-        f"{MINDLIN}, "
-        f"Mindlin's for solid spheres; what any constant leaves there is ±{number(left, 2)}",
+        f"{number(best[KAPPA], 1)} at {number(KAPPA, 2)}, but {number(best[mindlin], 2)} at κ = "
+        f"{number(mindlin, 4)}, Mindlin's for solid spheres; what any constant leaves there is "
+        f"±{number(left, 2)}",
         judged(
             printed=all(abs(value) < SAME for value in best.values()),
             corrected=abs(best[KAPPA]) < SAME and abs(best[1000.0]) < SAME,
         ),
         "2000 ψ each, evenly; the mean is the constant of least squares. So it is for stiff "
         "springs.",
-        shown(MINDLIN, 0.57, method="coulomb", scene="accuracy"),
+        shown(mindlin_kappa(), 0.57, method="coulomb", scene="accuracy"),
     )
 
 
@@ -49,7 +48,7 @@ def coulomb_is_good() -> Item:
     ratios = np.linspace(0.01, 4.0, 400) / MU_OVER_ALPHA
     off = {
         kappa: np.abs(collide(kappa, ratios).epsilon_t - coulomb_restitution(ratios))
-        for kappa in (MINDLIN, 18.0, KAPPA, 1000.0)
+        for kappa in (mindlin_kappa(), 18.0, KAPPA, 1000.0)
     }
     listed = ", ".join(
         f"{number(float(e.mean()), 2)} ({number(kappa, 3)})" for kappa, e in off.items()
@@ -62,9 +61,8 @@ def coulomb_is_good() -> Item:
         f"mean error over g_t/g_n = 0.01…4 and (κ): {listed}",
         judged(printed=max(means) < GOOD_ACCURACY, corrected=means[-1] < GOOD_ACCURACY),
         f"“Rather good” is taken as {GOOD_ACCURACY} on average. So it is for stiff springs; for "
-        "solid "
-        "spheres with κ near 4.5 it is not.",
-        shown(MINDLIN, 0.57, method="coulomb", scene="accuracy"),
+        f"solid spheres with κ near {number(mindlin_kappa(), 2)} it is not.",
+        shown(mindlin_kappa(), 0.57, method="coulomb", scene="accuracy"),
     )
 
 
@@ -80,8 +78,7 @@ def between_zero_and_one() -> Item:
         "5",
         "0 ≤ ε_t ≤ 1 in a wide range; negative values only at small g_t/g_n",
         f"somewhat negative up to g_t/g_n = {number(any_negative[1], 3)} at κ = "
-        f"{number(KAPPA, 2)}, as "
-        f"in the paper's own Fig. 5b; below −{GOOD_ACCURACY} up to "
+        f"{number(KAPPA, 2)}, as in the paper's own Fig. 5b; below −{GOOD_ACCURACY} up to "
         f"{', '.join(number(value, 2) for value in clearly)} at κ = 18, {number(KAPPA, 2)}, 1000",
         judged(printed=max(any_negative) < 1.0, corrected=max(clearly[1:]) < 1.0),
         "3000 collisions each up to g_t/g_n = 4. Clearly negative values are confined to small "
@@ -99,8 +96,7 @@ def oscillates_between_extremes() -> Item:
         "5",
         "at small g_t/g_n ε_t oscillates between −1 and 1 in dependence on g_t/g_n and κ",
         f"between {number(float(weak.min()), 4)} and {number(float(weak[kappas > 1.0].max()), 4)} "
-        "at ψ = "
-        "10^{−5} for κ up to 100",
+        "at ψ = 10^{−5} for κ up to 100",
         judged(printed=float(weak.min()) < -0.99 and float(weak[kappas > 1.0].max()) > 0.99),
         "20,000 collisions. The limit is cos(√κ t_c); the amplitude falls with ψκ^{5/4}.",
         shown(30.0, 1e-3, scale="log", map="epsilon_t"),
@@ -117,11 +113,10 @@ def asymptotically_zero() -> Item:
         "5",
         "for stiff tangential springs asymptotically ε_t → 0",
         f"|ε_t| ≤ {number(fixed, 1)} at g_t/g_n = 0.7 from κ = 10^{{4}} on; but at ψ = 10^{{−9}} "
-        "it still "
-        f"swings to {number(weak, 3)}: the limit holds at fixed g_t > 0, not uniformly",
+        f"it still swings to {number(weak, 3)}: the limit holds at fixed g_t > 0, not uniformly",
         judged(printed=fixed < SAME and weak < SAME, corrected=fixed < SAME),
-        "60 and 30 collisions. Sect. 4.4 says “in a certain range of g_t/g_n”, the conclusions do "
-        "not.",
+        "60 and 30 collisions. Sect. 4.4 says “in a certain range of g_t/g_n”, the conclusions "
+        "do not.",
         scene(kappa="1000", mu_over_alpha="1.4", gt_over_gn="0.001", scale="log"),
     )
 

@@ -88,8 +88,8 @@ def equation_1() -> Item:
         "1",
         "F_n = max[0, 2Y√R_{eff}/(3(1 − ν²)) · (ξ^{3/2} + (3/2) A √ξ dξ/dt)]",
         f"the force that drives the damped contact is this one within {number(off, 1)}; undamped, "
-        f"Fig. 2's steel at 20 m/s reaches {number(hertz / 1e6)} MN either way "
-        f"(ratio {number(ratio, 6)})",
+        f"Fig. 2's steel at 20 m/s reaches {number(hertz / 1e6)} MN either way (ratio "
+        f"{number(ratio, 6)})",
         judged(printed=off < ROUNDING and abs(ratio - 1.0) < ROUNDING),
         "301 instants of three contacts, η = 0.05, 0.3, 1, whose motion is a power series; and "
         "the largest force from the energy. In the text at hand the formula itself is lost: it "
@@ -133,10 +133,9 @@ def equation_3() -> Item:
         "1",
         "ε_n = −(dξ/dt)(t_c)/(dξ/dt)(0), with 0 ≤ ε_n ≤ 1 and 1 for the elastic collision",
         f"ε_n = {listed} for η = 0.05, 0.3, 1, and 1 for A = 0; from η = 10^{{−6}} to 10^{{6}} it "
-        "stays in "
-        f"{number(min(everything), 1)} … {number(max(everything), 7)}",
+        f"stays in {number(min(everything), 1)} … {number(max(everything), 7)}",
         judged(printed=off < ROUNDING and within and normal_restitution(0.0) == 1.0),
-        f"The energy that the damping takes, by quadrature, leaves the same ε_n within "
+        "The energy that the damping takes, by quadrature, leaves the same ε_n within "
         f"{number(off, 1)}. The contact ends where the force vanishes; ended at ξ = 0, as some "
         "authors do, the spheres would attract each other at last and ε_n be smaller.",
         shown(KAPPA, 1.0, damping="0.3"),
@@ -203,11 +202,11 @@ def equation_5() -> Item:
         5,
         "2",
         "vector g_n = (e_n · g) e_n",
-        f"e_n · g = −{number(approach.normal_velocity, 4)} m/s for spheres that approach with "
-        f"g_n = {number(approach.normal_velocity, 4)} m/s: the same within {number(off, 1)} m/s",
+        f"e_n · g = −{number(approach.normal_velocity, 4)} m/s for spheres that approach with g_n "
+        f"= {number(approach.normal_velocity, 4)} m/s: the same within {number(off, 1)} m/s",
         judged(printed=off < ROUNDING),
-        "The same random impact. As a number the paper has g_n = −(v_i − v_j) · e_n, positive; as "
-        "a vector the component along e_n, which is negative: two signs for one name.",
+        "The same random impact. As a number the paper has g_n = −(v_i − v_j) · e_n, positive; "
+        "as a vector the component along e_n, which is negative: two signs for one name.",
         scene(scene="spheres"),
     )
 
@@ -256,8 +255,7 @@ def equation_7() -> Item:
         f"{number(float(epsilon_t.max()), 4)}",
         judged(printed=off < ROUNDING and apart < SOLVER and bounded),
         f"An adaptive solver agrees within {number(apart, 1)} on four collisions. The limits "
-        "follow "
-        "from the energy, which never rises.",
+        "follow from the energy, which never rises.",
         shown(KAPPA, 0.97),
     )
 
@@ -306,11 +304,11 @@ def equation_9() -> Item:
         9,
         "2",
         "ζ(t) = ∫₀^{t} g_t dt′",
-        f"dζ/dt = g_t holds within {number(sticking, 1)} while the contact sticks; while it slides "
-        f"they are up to {number(sliding, 2)} apart, for the spring is held at the cap. Taken "
-        f"throughout, Eq. 9 changes ε_t by up to {number(apart, 2)}",
+        f"dζ/dt = g_t holds within {number(sticking, 1)} while the contact sticks; while it "
+        f"slides they are up to {number(sliding, 2)} apart, for the spring is held at the cap. "
+        f"Taken throughout, Eq. 9 changes ε_t by up to {number(apart, 2)}",
         judged(printed=apart < SOLVER, corrected=sticking < SLOPE and agrees < 100.0 * SOLVER),
-        f"Difference quotients in 60 collisions; an adaptive solver with the spring held at the "
+        "Difference quotients in 60 collisions; an adaptive solver with the spring held at the "
         f"cap agrees with ε_t within {number(agrees, 1)}. The text after Eq. 10 says so itself: "
         "|ζ| = μF_n/k_t in the regime of sliding.",
         shown(KAPPA, 0.97),

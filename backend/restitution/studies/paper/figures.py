@@ -17,6 +17,7 @@ from restitution.studies.paper.samples import (
     MU_OVER_ALPHA,
     PRINTED_KAPPA,
     ROUNDING,
+    mindlin_kappa,
     steel,
 )
 from restitution.studies.scaling import scales
@@ -104,18 +105,16 @@ def figure_2() -> Item:
     return figure(
         2,
         "4.1",
-        "ε_t of steel spheres over g_n and g_t up to 200 m/s: as Eq. 16 in a wide range, other and "
-        "partly negative at small g_t",
-        f"within {SAME} of Eq. 16 at {number(100.0 * alike, 3)} % of 3600 velocities; at g_n = 100 "
-        f"m/s they part below g_t = {number(100.0 * apart, 2)} m/s, where ε_t falls to "
+        "ε_t of steel spheres over g_n and g_t up to 200 m/s: as Eq. 16 in a wide range, other "
+        "and partly negative at small g_t",
+        f"within {SAME} of Eq. 16 at {number(100.0 * alike, 3)} % of 3600 velocities; at g_n = "
+        f"100 m/s they part below g_t = {number(100.0 * apart, 2)} m/s, where ε_t falls to "
         f"{number(float(epsilon_t.min()), 2)}. κ is {number(slow, 4)} at 1 m/s and "
         f"{number(fast, 3)} at 200 m/s",
         judged(printed=alike > 0.9 and apart < 0.2 and float(epsilon_t.min()) < 0.0),
-        "60 × 60 velocities, and 3000 at one g_n. Steel flows long before 200 m/s (the page warns "
-        "of "
-        "it), and real spheres have Mindlin's stiffness, κ near 4.5: the figure shows the model, "
-        "not "
-        "steel.",
+        "60 × 60 velocities, and 3000 at one g_n. Steel flows long before 200 m/s (the page "
+        "warns of it), and real spheres have Mindlin's stiffness, κ near "
+        f"{number(mindlin_kappa(), 2)}: the figure shows the model, not steel.",
         scene(scene="spheres", normal_velocity_m_s="100", tangential_velocity_m_s="1"),
     )
 
@@ -132,15 +131,14 @@ def figure_3() -> Item:
     return figure(
         3,
         "4.2",
-        "ε_t from the scaled equations over κ and g_t/g_n: a plateau near 0, oscillations at small "
-        "g_t/g_n or large κ",
+        "ε_t from the scaled equations over κ and g_t/g_n: a plateau near 0, oscillations at "
+        "small g_t/g_n or large κ",
         f"along κ = 0.1…70 at g_t/g_n = 0.05 ε_t changes its sign {turns} times, from "
         f"{number(float(weak.max()), 2)} to {number(float(weak.min()), 2)}; for κ in 20…70 and "
         f"g_t/g_n in 1…2.8 |ε_t| ≤ {number(plateau, 2)}",
         judged(printed=turns >= 3 and plateau < 0.2 and float(weak.min()) < -0.5),
         "Neither axes nor μ/α of the figure are given: μ/α = 1.4 as in Figs. 1, 2, 4, and κ with "
-        "α. "
-        "Where the oscillations are is independent of μ/α if g_t/g_n is divided by it.",
+        "α. Where the oscillations are is independent of μ/α if g_t/g_n is divided by it.",
         shown(30.0, 0.5 / MU_OVER_ALPHA, shape="surface", map="epsilon_t"),
     )
 
@@ -185,8 +183,7 @@ def figure_4() -> Item:
             corrected=follows(ours, SEQUENCE) and max(ours) == 8,
         ),
         "8000 collisions each from ψ = 2.2 down to 0.005. That α is the missing factor is "
-        "inferred: "
-        "18/α is the round number at which everything the text says of a … o comes out.",
+        "inferred: 18/α is the round number at which everything the text says of a … o comes out.",
         shown(KAPPA, 0.97, map="switches", map_x="alpha_kappa"),
     )
 
@@ -202,15 +199,13 @@ def figure_5() -> Item:
         5,
         "4.3",
         "forces over time for κ = 18 at a … o: 0 switches, 2 (ε_t < 0), 4 (> 0), … 8 (> 0), 6 (> "
-        "0), "
-        "8 (< 0), …, 2",
+        "0), 8 (< 0), …, 2",
         f"at κ = 18 no collision has eight; at κ = {number(KAPPA, 2)} = 18/α the ranges are, with "
-        "our "
-        f"points in them: {signs}",
+        f"our points in them: {signs}",
         judged(printed=verdicts[0], corrected=verdicts[1]),
         "Found by falling ψ: the first range with the switches and the sign that the text names. "
-        "The "
-        "paper does not list the g_t/g_n of its letters; ours lie in the middle of the ranges.",
+        "The paper does not list the g_t/g_n of its letters; ours lie in the middle of the "
+        "ranges.",
         shown(KAPPA, 1.25, map="switches", map_x="alpha_kappa"),
     )
 
@@ -278,15 +273,14 @@ def figure_6() -> Item:
     return figure(
         6,
         "4.4",
-        "forces and velocity for κ = 100, z(0) = g_t/g_n = 0.3; the first minimum of the velocity "
-        "comes shortly after t = 1",
+        "forces and velocity for κ = 100, z(0) = g_t/g_n = 0.3; the first minimum of the "
+        "velocity comes shortly after t = 1",
         f"time of the first minimum and number of switches: {listed}. z(0) is {number(start, 1)}: "
         "dz/dt(0) is meant",
         judged(printed=start == ratio, corrected=after_one[0]),
         "The caption has no μ/α. 1 fits the minimum; κ taken without 1/α as in Fig. 4, with 0.9, "
         f"fits too, so this stays undecided. The contact lasts to {number(CONTACT_DURATION, 4)}, "
-        "the "
-        f"compression is largest at {number(HALF_CONTACT, 4)}.",
+        f"the compression is largest at {number(HALF_CONTACT, 4)}.",
         shown(kappa, ratio, 1.0),
     )
 

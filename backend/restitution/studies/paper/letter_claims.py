@@ -62,10 +62,11 @@ def _letter(
         told = "no range of g_t/g_n has it, with either κ"
     else:
         told = (
-            f"at κ = {number(KAPPA, 2)}, g_t/g_n = {number(here.low * MU_OVER_ALPHA, 3)}…"
-            f"{number(here.high * MU_OVER_ALPHA, 3)}: {here.switches} switches, reversals: "
-            f"{here.turns}, ε_t = {number(here.epsilon_t, 2)} in the middle; at κ = "
-            f"{number(PRINTED_KAPPA, 2)} {'so as well' if there else 'there is no such range'}"
+            f"at κ = {number(KAPPA, 2)}, g_t/g_n = "
+            f"{number(here.low * MU_OVER_ALPHA, 3)}…{number(here.high * MU_OVER_ALPHA, 3)}: "
+            f"{here.switches} switches, reversals: {here.turns}, ε_t = "
+            f"{number(here.epsilon_t, 2)} in the middle; at κ = {number(PRINTED_KAPPA, 2)} "
+            f"{'so as well' if there else 'there is no such range'}"
         )
     return claim(
         f"letter-{letter}",

@@ -18,6 +18,7 @@ from restitution.studies.paper.samples import (
     ROUNDING,
     STEEL,
     STIFFNESS,
+    mindlin_kappa,
     steel,
 )
 from restitution.studies.presets import SOLID
@@ -96,8 +97,7 @@ def figure_2_elasticity() -> Item:
         f"{number(1e6 * at.maximum_compression_m, 3)} µm",
         judged(printed=at.maximum_compression_m < 0.05 * STEEL.radius_m),
         "Eqs. 18–20. Hertz's law wants a compression small against R: that is what is checked "
-        "here; "
-        "that steel stays elastic is not so, see Fig. 2.",
+        "here; that steel stays elastic is not so, see Fig. 2.",
         scene(scene="spheres", normal_velocity_m_s="20"),
     )
 
@@ -111,14 +111,13 @@ def figure_2_stiffness() -> Item:
         "4.1",
         "Fig. 2: k_t = 10^{12} kg/s², called the right order of magnitude",
         f"κ = {number(slow.kappa, 5)} at 1 m/s, {number(twenty.kappa, 5)} at 20, "
-        f"{number(fast.kappa, 4)} at 200; Mindlin's stiffness at 20 m/s is "
-        f"{number(mindlin, 2)} N/m, {number(STIFFNESS / mindlin, 3)} times less",
+        f"{number(fast.kappa, 4)} at 200; Mindlin's stiffness at 20 m/s is {number(mindlin, 2)} "
+        f"N/m, {number(STIFFNESS / mindlin, 3)} times less",
         judged(printed=0.1 < STIFFNESS / mindlin < 10.0),
-        "The paper takes the stiffness of asperities from the roughness of the surface. Mindlin's "
-        "is "
-        "that of the bulk behind them, in series with it, so that it cannot be exceeded; κ is "
-        "near 4.5 "
-        "with it. In doubt is only whether the paper's spring is meant to contain the bulk.",
+        "The paper takes the stiffness of asperities from the roughness of the surface. "
+        "Mindlin's is that of the bulk behind them, in series with it, so that it cannot be "
+        f"exceeded; κ is near {number(mindlin_kappa(), 2)} with it. In doubt is only whether the "
+        "paper's spring is meant to contain the bulk.",
         scene(scene="spheres", material="steel-mindlin"),
     )
 
@@ -130,12 +129,12 @@ def figure_2_friction() -> Item:
         "4.1",
         "Fig. 2: μ = 0.4; footnote 2 calls its μ = 0.5 and Y = 210 MPa those of this caption",
         f"μ {FOOTNOTE_FRICTION:g} against {FRICTION:g}, Y {FOOTNOTE_MODULUS / 1e6:g} MPa against "
-        f"{STEEL.youngs_modulus_pa / 1e6:g} MPa",
+        f"{STEEL.youngs_modulus_pa / 1e9:g} GPa",
         judged(
             printed=FOOTNOTE_FRICTION == FRICTION and STEEL.youngs_modulus_pa == FOOTNOTE_MODULUS
         ),
-        "Both as printed. Y is a slip of the unit (see there); of the two μ it is undecided which "
-        "was meant. The caption's is used on this page.",
+        "Both as printed. Y is a slip of the unit (see there); of the two μ it is undecided "
+        "which was meant. The caption's is used on this page.",
         scene(scene="spheres", friction_coefficient="0.5"),
     )
 
@@ -183,12 +182,10 @@ def footnote_2_coefficient() -> Item:
         "2",
         "footnote 2: ζ = 1.109·10^{5} m s²/kg / k_t, with μ = 0.5, g_n = 20 m/s",
         f"{value / 1e5:.5f}·10^{{5}}: printed truncated, rounded it would be {value / 1e5:.3f}. "
-        "It is a "
-        "force: its unit is kg m/s², and k_t stands in the denominator",
+        "It is a force: its unit is kg m/s², and k_t stands in the denominator",
         judged(printed=off <= 50.0, corrected=off < 100.0),
         "Footnote 2's formula with Y = 210 GPa and the square of (1 − ν²), of which the text at "
-        "hand "
-        "shows none; without it the value would be "
+        "hand shows none; without it the value would be "
         f"{number(value * (1.0 - STEEL.poisson_ratio**2) ** 0.2, 5)}.",
         scene(scene="spheres", normal_velocity_m_s="20", friction_coefficient="0.5"),
     )
@@ -218,15 +215,14 @@ def footnote_2_formula() -> Item:
         "footnote-2-formula",
         "2",
         "footnote 2: F_n^{max} = (μ/3)[250 Y²π³ρ³/(1 − ν²)²]^{1/5} R² g_n^{6/5} from the energy",
-        f"the formula has μ in it already, and without μ it gives {number(by_formula / 1e6, 4)} MN "
-        f"where the energy gives {number(force / 1e6, 4)}: {number(ratio, 5)} = 2^{{3/5}} too "
-        "much, for "
-        "it takes the mass m of one sphere for m_{eff} = m/2",
+        f"the formula has μ in it already, and without μ it gives {number(by_formula / 1e6, 4)} "
+        f"MN where the energy gives {number(force / 1e6, 4)}: {number(ratio, 5)} = 2^{{3/5}} too "
+        "much, for it takes the mass m of one sphere for m_{eff} = m/2",
         judged(
             printed=abs(ratio * FOOTNOTE_FRICTION - 1.0) < 1e-3,
             corrected=abs(ratio - 2.0**0.6) < 1e-9,
         ),
-        f"Energy of the Hertz contact, as for Eq. 19. With m_{{eff}} and μ = 0.5 the spring is "
+        "Energy of the Hertz contact, as for Eq. 19. With m_{eff} and μ = 0.5 the spring is "
         f"stretched by {number(1e6 * FOOTNOTE_FRICTION * force / STIFFNESS, 3)} µm, not 0.1109.",
         scene(scene="spheres", normal_velocity_m_s="20", friction_coefficient="0.5"),
     )
@@ -302,8 +298,7 @@ def figure_6_velocity() -> Item:
         "4.4",
         "Fig. 6: initial value z(0) = g_t/g_n = 0.3",
         f"the spring starts unstretched, κ|z(0)| = {number(start, 1)}, as Eq. 23 has it; dz/dt(0) "
-        "= "
-        f"{ratio} is meant, which is Eq. 22",
+        f"= {ratio} is meant, which is Eq. 22",
         judged(printed=start == ratio, corrected=start == 0.0),
         "A dot lost in print.",
         shown(*FIGURE_6, 1.0),

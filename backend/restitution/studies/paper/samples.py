@@ -16,7 +16,7 @@ from restitution.mechanics.stepping import INTEGRATORS, tangential_step
 from restitution.methods.ode import integrate
 from restitution.studies.bodies import Sphere
 from restitution.studies.presets import SOLID
-from restitution.studies.scaling import Contact
+from restitution.studies.scaling import Contact, scales
 
 SEED = 2008
 
@@ -50,6 +50,12 @@ def steel(
 ) -> Contact:
     """Return the contact of Fig. 2; `damping` is A in s."""
     return Contact(STEEL, STEEL, friction, stiffness, damping)
+
+
+@functools.cache
+def mindlin_kappa() -> float:
+    """Return κ of Mindlin's stiffness for the steel, whatever its size and speed."""
+    return scales(Contact(STEEL, STEEL, FRICTION, None), 1.0).kappa
 
 
 class Many(NamedTuple):

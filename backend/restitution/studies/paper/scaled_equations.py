@@ -15,6 +15,7 @@ from restitution.mechanics.hertz import (
 )
 from restitution.mechanics.limits import stiff_estimate
 from restitution.mechanics.motion import motion, reversals, tangential_curves
+from restitution.mechanics.switching import MONOTONE_STIFFNESS
 from restitution.studies.bodies import Sphere
 from restitution.studies.paper.equations import equation
 from restitution.studies.paper.item import Item, judged, number, scene, shown
@@ -50,11 +51,11 @@ def _capped_spring(which: int, section: str, printed: str, link: str) -> Item:
         which,
         section,
         printed,
-        "The force needs the sign of the spring, sgn(z) min(…, κ|z|), and the spring must be held "
-        f"at the cap while it slides: then ε_t is ours within {number(agrees, 1)}. Followed as "
-        "printed, with a spring that is never reset, the same equations give ε_t = "
-        f"{number(float(free.solver[worst]))} instead of {number(float(free.exact[worst]))} at "
-        f"κ = {number(float(free.kappa[worst]), 2)}, ψ = {number(float(free.psi[worst]), 2)}",
+        "The force needs the sign of the spring, sgn(z) min(…, κ|z|), and the spring must be "
+        f"held at the cap while it slides: then ε_t is ours within {number(agrees, 1)}. Followed "
+        "as printed, with a spring that is never reset, the same equations give ε_t = "
+        f"{number(float(free.solver[worst]))} instead of {number(float(free.exact[worst]))} at κ "
+        f"= {number(float(free.kappa[worst]), 2)}, ψ = {number(float(free.psi[worst]), 2)}",
         judged(
             printed=bool(np.all(apart < SOLVER)),
             corrected=agrees < SOLVER and max(force, stretch) < SLOPE,
@@ -72,8 +73,8 @@ def equation_17() -> Item:
     return _capped_spring(
         17,
         "4.2",
-        "d²ξ/dt² + βξ^{3/2} = 0, d²ζ/dt² + min(μβξ^{3/2}/α, k_tζ/(αm_{eff})) = 0, from ξ = ζ = 0, "
-        "dξ/dt = g_n, dζ/dt = g_t",
+        "d²ξ/dt² + βξ^{3/2} = 0, d²ζ/dt² + min(μβξ^{3/2}/α, k_tζ/(αm_{eff})) = 0, from ξ = "
+        "ζ = 0, dξ/dt = g_n, dζ/dt = g_t",
         shown(KAPPA, 0.97),
     )
 
@@ -106,8 +107,8 @@ def equation_19() -> Item:
         19,
         "4.2",
         "ξ_{max} = (5/4)^{2/5} g_n^{4/5}/β^{2/5}",
-        f"x_{{max}} = {number(float(half[0, 0]), 6)} where the rate vanishes, (5/4)^{{2/5}} within "
-        f"{number(off, 1)}; steel at 20 m/s: {number(1e6 * at.maximum_compression_m, 3)} µm",
+        f"x_{{max}} = {number(float(half[0, 0]), 6)} where the rate vanishes, (5/4)^{{2/5}} "
+        f"within {number(off, 1)}; steel at 20 m/s: {number(1e6 * at.maximum_compression_m, 3)} µm",
         judged(printed=off < ROUNDING),
         "The curve of compression at half the contact; it is interpolated from its inverse, not "
         "from the energy.",
@@ -135,8 +136,8 @@ def equation_20() -> Item:
         f"C = {number(duration, 7)}, (4/5)^{{3/5}} B(2/5, 1/2); t_c falls as g_n to the power "
         f"−{number(float(power), 4)}",
         judged(printed=off < 1e-8 and abs(float(power) - 0.2) < ROUNDING),
-        f"Quadrature of dξ/(dξ/dt), within {number(off, 1)} of the constant in use. The paper does "
-        "not give C.",
+        f"Quadrature of dξ/(dξ/dt), within {number(off, 1)} of the constant in use. The paper "
+        "does not give C.",
         scene(scene="spheres"),
     )
 
@@ -162,10 +163,10 @@ def equation_21() -> Item:
         "4.2",
         "t_{scale} = β^{−2/5} g_n^{−1/5}, ξ_{scale} = g_n^{4/5} β^{−2/5}",
         "steel of 2 cm at 20 m/s and glass of 1 mm at 3 m/s, with the same κ, μ/α and g_t/g_n, "
-        "have "
-        f"ε_t = {number(same, 5)} and {number(other, 5)}",
+        f"have ε_t = {number(same, 5)} and {number(other, 5)}",
         judged(printed=off < ROUNDING and abs(same - other) < 1e-8),
-        "Both through the scales; κ of 11,000 amplifies the rounding of the scaled numbers.",
+        f"Both through the scales; κ = {number(at.kappa, 3)} amplifies the rounding of the scaled "
+        "numbers.",
         scene(scene="spheres", normal_velocity_m_s="20", tangential_velocity_m_s="10"),
     )
 
@@ -194,8 +195,8 @@ def equation_23() -> Item:
     return _capped_spring(
         23,
         "4.2",
-        "d²x/dt² + x^{3/2} = 0, d²z/dt² + min((μ/α)x^{3/2}, κz) = 0, from x = z = 0, dx/dt = 1, "
-        "dz/dt = g_t/g_n",
+        "d²x/dt² + x^{3/2} = 0, d²z/dt² + min((μ/α)x^{3/2}, κz) = 0, from x = z = 0, dx/dt = "
+        "1, dz/dt = g_t/g_n",
         shown(KAPPA, 0.97, scene="accuracy"),
     )
 
@@ -216,8 +217,8 @@ def equation_24() -> Item:
         "4.2",
         "κ = k_t/(α m_{eff} β^{4/5} g_n^{2/5})",
         f"scaling Eq. 17 gives this κ, with α in it, within {number(off, 1)}: "
-        f"{number(at.kappa, 6)} for "
-        f"steel at 20 m/s; without α it would be {number(at.kappa * at.pair.alpha, 6)}",
+        f"{number(at.kappa, 6)} for steel at 20 m/s; without α it would be "
+        f"{number(at.kappa * at.pair.alpha, 6)}",
         judged(printed=off < ROUNDING),
         "Two contacts. Figs. 4 and 5 use another κ, see there.",
         scene(scene="spheres", normal_velocity_m_s="20", tangential_velocity_m_s="10"),
@@ -258,13 +259,11 @@ def equation_25() -> Item:
         "4.4",
         "E_{max} = κz_{max}²/2 = μ²/(2α²κ), with z_{max} = μ/(ακ)",
         f"the spring is pulled to {number(reached, 5)} μ/(ακ) and holds {number(reached**2, 4)} "
-        "times "
-        f"the energy: z_{{max}} lacks the factor x_{{max}}^{{3/2}} = (5/4)^{{3/5}} = "
+        "times the energy: z_{max} lacks the factor x_{max}^{3/2} = (5/4)^{3/5} = "
         f"{number(MAXIMUM_FORCE, 5)}",
         judged(printed=reached <= 1.0, corrected=reached <= MAXIMUM_FORCE),
         "The springs of 360 collisions at their switches. The paper drops numerical factors when "
-        "it "
-        "scales (Eq. 21) and the cap's largest value with them.",
+        "it scales (Eq. 21) and the cap's largest value with them.",
         shown(KAPPA, 1.0),
     )
 
@@ -276,15 +275,13 @@ def _bound(which: int, printed: str) -> Item:
         which,
         "4.4",
         printed,
-        f"exceeded by {number(100.0 * (excess - 1.0), 2)} % at κ = {number(kappa, 3)}, "
-        f"ψ = {number(psi, 3)}; with (5/4)^{{3/5}} = {number(MAXIMUM_FORCE, 5)} on the right it "
-        "is a "
+        f"exceeded by {number(100.0 * (excess - 1.0), 2)} % at κ = {number(kappa, 3)}, ψ = "
+        f"{number(psi, 3)}; with (5/4)^{{3/5}} = {number(MAXIMUM_FORCE, 5)} on the right it is a "
         "bound on |ε_t| for ψ < 2",
         judged(printed=excess <= 1.0, corrected=excess <= MAXIMUM_FORCE),
         "250,000 collisions with κ in 0.3…300 and ψ in 0.02…2, exact each. That the corrected "
-        "bound "
-        "holds everywhere is proven for κ ≥ 1.56846 and measured below; for ψ ≥ 2 it says nothing. "
-        "The text at hand has no bars around ε_t.",
+        f"bound holds everywhere is proven for κ ≥ {number(MONOTONE_STIFFNESS, 4)} and measured "
+        "below; for ψ ≥ 2 it says nothing. The text at hand has no bars around ε_t.",
         shown(kappa, psi),
     )
 
@@ -314,12 +311,12 @@ def equation_28() -> Item:
         "4.4",
         "g_t ≥ g_n μ/(α√κ): otherwise the motion has not the energy to load the spring fully",
         f"at g_t = g_nμ/(α√κ) the spring gets to {number(100.0 * fullest, 3)} % of its largest "
-        "load: "
-        "for a full one the initial energy suffices from (5/4)^{3/5} = "
+        "load: for a full one the initial energy suffices from (5/4)^{3/5} = "
         f"{number(MAXIMUM_FORCE, 5)} times this g_t on, the factor that Eq. 25 lacks",
         judged(printed=largest_spring() <= 1.0, corrected=fullest < 1.0 and largest_spring() > 1.0),
-        "25 springs with κ in 20…2000; energy conservation allows 1/(5/4)^{3/5} = 87.5 %. As the "
-        "printed Eqs. 25 and 28 go together, so do the corrected ones.",
+        "25 springs with κ in 20…2000; energy conservation allows 1/(5/4)^{3/5} = "
+        f"{number(100.0 / MAXIMUM_FORCE, 3)} %. As the printed Eqs. 25 and 28 go together, so do "
+        "the corrected ones.",
         shown(100.0, 0.1),
     )
 
@@ -336,9 +333,9 @@ def equation_29() -> Item:
         29,
         "4.4",
         "no stopping if g_t ≥ 2μg_n/α",
-        f"200 collisions with ψ from 2 to 4: {turned} turn round; {stuck} soft ones do stick for a "
-        f"while. At ψ = 1.999 all of five from κ = 0.6 to 1000 turn "
-        f"({min(just_below)} time or more)",
+        f"200 collisions with ψ from 2 to 4: {turned} turn round; {stuck} soft ones do stick for "
+        f"a while. At ψ = 1.999 all of five from κ = 0.6 to 1000 turn ({min(just_below)} time or "
+        "more)",
         judged(printed=turned == 0 and min(just_below) > 0),
         "The cap takes at most 2μg_n/α from g_t, whatever the spring does: that is exact, not a "
         "rough estimate.",
@@ -370,10 +367,8 @@ def equation_30() -> Item:
             corrected=worst[-1] < GOOD_ACCURACY,
         ),
         f"2000 collisions each; good accuracy is taken as {GOOD_ACCURACY} from κ = 1000 on, for "
-        "the "
-        "paper names neither number. The lower sign is read as ≪; even at g_t = g_nμ/(α√κ) itself "
-        "it "
-        "holds, while Eq. 27 allows |ε_t| = 1 there.",
+        "the paper names neither number. The lower sign is read as ≪; even at g_t = g_nμ/(α√κ) "
+        "itself it holds, while Eq. 27 allows |ε_t| = 1 there.",
         shown(1000.0, 0.5, map="epsilon_t", scale="log"),
     )
 

@@ -58,8 +58,7 @@ def gear_wheel() -> Item:
         "2",
         "ε_t = −1 as for very elastic gear wheels is the other limit",
         f"approached, not reached: at κ = (π/t_c)² = {number(GEAR_WHEEL_STIFFNESS, 5)} ε_t = "
-        f"{listed} "
-        "for ψ = 0.1, 0.01, 0.001",
+        f"{listed} for ψ = 0.1, 0.01, 0.001",
         judged(printed=float(values[-1]) < -0.999 and float(values.min()) >= -1.0),
         "There half a swing of the spring lasts as long as the contact; some energy is lost in "
         "sliding at both ends.",
@@ -78,8 +77,7 @@ def negative_from_the_spring() -> Item:
         "2",
         "the spring stores energy and so the model has negative ε_t",
         f"{number(100.0 * float(np.mean(negative)), 2)} % of 20,000 random collisions have ε_t < "
-        "0, "
-        f"all of them with switches; Coulomb's law has {number(law, 1)} at least",
+        f"0, all of them with switches; Coulomb's law has {number(law, 1)} at least",
         judged(printed=bool(negative.any()) and stuck and law >= 0.0),
         "A contact that slides throughout has no negative ε_t (Eq. 15 from ψ = 2 on).",
         shown(GEAR_WHEEL_STIFFNESS, 0.05),
@@ -100,14 +98,12 @@ def history() -> Item:
         "history",
         "2",
         "F_t depends on the full history of the contact, not only on the present motion",
-        f"two collisions with the same compression and within 10^{{−4}} the same velocities at t = "
-        f"{number(float(moment[0]), 2)} have forces that differ by {number(apart, 2)} "
-        "(cap there: "
-        f"{number(float(normal(0.0, moment)[2, 0]), 2)})",
+        "two collisions with the same compression and within 10^{−4} the same velocities at t "
+        f"= {number(float(moment[0]), 2)} have forces that differ by {number(apart, 2)} (cap "
+        f"there: {number(float(normal(0.0, moment)[2, 0]), 2)})",
         judged(printed=apart > 0.1),
         f"1500 collisions at κ = {number(KAPPA, 2)}, neighbours in g_t compared. The history "
-        "enters "
-        "through one number, the spring.",
+        "enters through one number, the spring.",
         shown(KAPPA, 0.6),
     )
 
@@ -141,13 +137,11 @@ def independent_of_force_law() -> Item:
         "3",
         "Eq. 15 holds whatever the normal and tangential force laws",
         "for a contact that slides throughout; but with Eq. 10's spring and A > 0 none does. At "
-        "κ = "
-        f"1, ψ = 3 Eq. 15 is {number(max(off), 1)} off for η up to 1, exact for A = 0 "
+        f"κ = 1, ψ = 3 Eq. 15 is {number(max(off), 1)} off for η up to 1, exact for A = 0 "
         f"({number(exact, 4)})",
         judged(printed=max(off) < ROUNDING, corrected=max(off) < 1e-2),
-        "Exact motion with damping, η = 0.05, 0.3, 1. F_n begins as √t there, the spring as t, so "
-        "the "
-        "contact first sticks; the stiffer the spring, the shorter.",
+        "Exact motion with damping, η = 0.05, 0.3, 1. F_n begins as √t there, the spring as t, "
+        "so the contact first sticks; the stiffer the spring, the shorter.",
         shown(1.0, 3.0, damping="1"),
     )
 
@@ -165,12 +159,11 @@ def depends_on_both_velocities() -> Item:
         "depends-on-both-velocities",
         "3",
         "ε_t of Eq. 15 depends always significantly on both g_n and g_t",
-        f"it depends on g_t/g_n alone, with slope ∂ε_t/∂ln g_t = 1 − ε_t: 1 at the cut-off, below "
+        "it depends on g_t/g_n alone, with slope ∂ε_t/∂ln g_t = 1 − ε_t: 1 at the cut-off, below "
         f"{SIGNIFICANT} from g_t/g_n = {number(upto, 2)} on (μ/α = {number(MU_OVER_ALPHA, 2)})",
         judged(printed=bool(np.all(change >= SIGNIFICANT)), corrected=upto > 2.0 * MU_OVER_ALPHA),
         f"“Significantly” is taken as a slope of {SIGNIFICANT}: always is too much said, up to "
-        "grazing "
-        "impacts it is so.",
+        "grazing impacts it is so.",
         shown(KAPPA, 3.0),
     )
 

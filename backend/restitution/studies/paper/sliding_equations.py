@@ -38,11 +38,11 @@ def equation_11() -> Item:
         "3",
         "dg_n/dt = −F_n/m_{eff}, dg_t/dt = F_t/(α m_{eff})",
         f"dg_t/dt and the force of 60 collisions agree within {number(tangential, 1)}; a "
-        f"tangential impulse on two unequal bodies changes g_t as 1/α says, within "
+        "tangential impulse on two unequal bodies changes g_t as 1/α says, within "
         f"{number(rotation, 1)}",
         judged(printed=tangential < SLOPE and rotation < ROUNDING),
-        "Difference quotients; the impulse acts on both bodies, with their moments of inertia, and "
-        "Eq. 4 gives the new g_t. That e_n does not turn meanwhile is assumed, as printed.",
+        "Difference quotients; the impulse acts on both bodies, with their moments of inertia, "
+        "and Eq. 4 gives the new g_t. That e_n does not turn meanwhile is assumed, as printed.",
         shown(KAPPA, 0.97),
     )
 
@@ -123,10 +123,9 @@ def equation_14() -> Item:
         "3",
         "g_t′ − g_t = −μ(1 + ε_n)g_n/α for a contact that slides throughout",
         f"A = 0, ψ = 2.5, κ = {number(KAPPA, 2)}: F_t = −μF_n within {number(force, 1)}, the "
-        "change "
-        f"within {number(off, 1)}. With damping no contact slides throughout: for η = 0.3 it "
-        "sticks "
-        f"for the first {number(100.0 * first, 2)} %, and Eq. 14 is {number(change, 1)} off",
+        f"change within {number(off, 1)}. With damping no contact slides throughout: for η = 0.3 "
+        f"it sticks for the first {number(100.0 * first, 2)} %, and Eq. 14 is {number(change, 1)} "
+        "off",
         judged(printed=max(force, off) < ROUNDING),
         "The force of the exact motion; for A > 0 F_n starts as √t, above the spring.",
         shown(KAPPA, 2.5),
@@ -166,12 +165,10 @@ def equation_16() -> Item:
         "ε_t = max[0, 1 − (μ(1 + ε_n)/α) g_n/g_t]",
         f"the cut-off lies at g_t/g_n = 2μ/α, for Fig. 1 ({number(MU_OVER_ALPHA, 2)} = "
         f"{number(FRICTION, 1)}/α) at {number(2.0 * MU_OVER_ALPHA, 2)}; sliding throughout, g_t "
-        "stays "
-        f"positive (least g_t/g_t(0) {number(positive, 2)})",
+        f"stays positive (least g_t/g_t(0) {number(positive, 2)})",
         judged(printed=off < ROUNDING and positive >= 0.0),
         "Four motions down to ψ = 2.001. What the law is worth below the cut-off, where the "
-        "contact "
-        "does stop, is judged with the claims.",
+        "contact does stop, is judged with the claims.",
         scene(scene="spheres", velocity_law="coulomb"),
     )
 

@@ -32,9 +32,8 @@ def slides_above_three() -> Item:
         "for g_t/g_n ≳ 3 the collision takes place entirely in the Coulomb regime, but for very "
         "small κ",
         f"from g_t/g_n = {number(float(border.min()), 3)} on at every κ ≥ "
-        f"{number(FROM_TWO_ON, 2)}; at 3 for κ ≥ "
-        f"{number(float(kappas[border <= 3.0][0]), 2)}, at 4 for κ ≥ "
-        f"{number(float(kappas[border <= 4.0][0]), 2)}",
+        f"{number(FROM_TWO_ON, 2)}; at 3 for κ ≥ {number(float(kappas[border <= 3.0][0]), 2)}, at "
+        f"4 for κ ≥ {number(float(kappas[border <= 4.0][0]), 2)}",
         judged(printed=bool(np.all(border[kappas > 0.6] <= 3.0))),
         "Threshold ψ* of pure sliding for 4000 κ.",
         shown(1.0, 2.1, **LOOK),
@@ -49,12 +48,11 @@ def upper_region_is_zero() -> Item:
         "upper-region-is-zero",
         "4.3",
         "this region, g_t/g_n ≳ 3, is the upper one of Fig. 3, where ε_t is almost zero",
-        f"ε_t = {', '.join(number(value, 2) for value in values)} at g_t/g_n = 3, 3.5, 4 (Eq. 15); "
-        f"almost zero is the region below {number(2.0 * MU_OVER_ALPHA, 2)}",
+        f"ε_t = {', '.join(number(value, 2) for value in values)} at g_t/g_n = 3, 3.5, 4 (Eq. "
+        f"15); almost zero is the region below {number(2.0 * MU_OVER_ALPHA, 2)}",
         judged(printed=float(np.max(values)) < SAME),
         "The contact that slides throughout keeps the more of its velocity the faster it is. "
-        "Perhaps "
-        "Fig. 3's axis ends near 3.",
+        "Perhaps Fig. 3's axis ends near 3.",
         shown(KAPPA, 4.0 / MU_OVER_ALPHA),
     )
 
@@ -122,8 +120,8 @@ def soft_springs_always_stick() -> Item:
         "for sufficiently small κ a switch always occurs: the vertical line at the left of Fig. 4",
         f"each g_t/g_n has its κ below which the contact sticks: {number(low, 2)} at g_t/g_n = 4, "
         f"{number(high, 2)} at 2.9. The line leans over {number(100.0 * width, 1)} % of the axis "
-        "of "
-        "Fig. 4; for κ → 0 it is ψκ = 1.0318",
+        "of Fig. 4; for κ → 0 ψκ tends to a constant, "
+        f"{number(float(thresholds[0] * kappas[0]), 4)} at κ = 0.001",
         judged(printed=rises and bool(np.all(just_below >= 2)) and width < 0.01),
         "Threshold of pure sliding and the collisions just below it, 300 κ.",
         shown(0.3, 3.0 / MU_OVER_ALPHA, map="switches", map_x="alpha_kappa"),
@@ -140,11 +138,10 @@ def elongation_increases() -> Item:
     return claim(
         "elongation-increases",
         "4.3",
-        "the elongation at the first switch increases with decreasing g_t, as all switches lie in "
-        "the decompression",
+        "the elongation at the first switch increases with decreasing g_t, as all switches lie "
+        "in the decompression",
         f"from {number(float(loads[0]), 2)} to {number(float(loads[-1]), 4)} μ/(ακ) for g_t/g_n "
-        "from "
-        f"2.8 down to {number(low * MU_OVER_ALPHA, 3)}, where eight switches begin",
+        f"from 2.8 down to {number(low * MU_OVER_ALPHA, 3)}, where eight switches begin",
         judged(printed=bool(np.all(np.diff(loads) > 0.0)) and late),
         f"300 collisions at κ = {number(KAPPA, 2)}, each with its first switch after the largest "
         "compression.",
@@ -163,8 +160,7 @@ def half_as_many_reversals() -> Item:
         "the number of motion reversals is half the number of switches",
         f"so in the first {len(until)} ranges of g_t/g_n at κ = {number(KAPPA, 2)}, down to "
         f"{number(until[-1].low * MU_OVER_ALPHA, 3)}; of all {len(everywhere)} ranges down to "
-        "0.007 in "
-        f"{sum(everywhere)}",
+        f"0.007 in {sum(everywhere)}",
         judged(printed=all(everywhere), corrected=there),
         "Reversals counted in the exact motion. The text says it of the ranges where the spring "
         "cannot complete half a period; its own (f), six switches and four reversals, is outside.",
@@ -198,8 +194,7 @@ def decrease_not_monotonic() -> Item:
         f"after the first eight: {' '.join(map(str, after))}, {rises} rises",
         judged(printed=rises > 0 and after[-1] < after[0]),
         f"κ = {number(KAPPA, 2)}, ψ down to 0.005. The rises never end: towards ψ = 0 twos and "
-        "fours "
-        "alternate.",
+        "fours alternate.",
         shown(KAPPA, 0.25, **LOOK),
     )
 
@@ -214,8 +209,7 @@ def many_switches() -> Item:
         "4.3",
         "for sufficiently high κ the force may switch many times between the regimes",
         f"up to {', '.join(map(str, most))} times at κ = 18, 63, 400, 2500, 10^{{4}}; that tends "
-        "to "
-        "√κ t_c/π",
+        "to √κ t_c/π",
         judged(printed=most[-1] > most[0] >= 2),
         "1200 collisions each, ψ in 0.05…2.",
         shown(2500.0, 1.0),
@@ -238,9 +232,8 @@ def dissipates_only_sliding() -> Item:
         "4.3",
         "energy is dissipated during the Coulomb regime only",
         f"sticking, g_t² + κz² changes by {number(sticking, 1)} of its first value at most; "
-        "sliding, "
-        f"it falls, between two of 800 instants by up to {number(-lost, 1)}, and never rises "
-        f"({number(gained, 1)})",
+        f"sliding, it falls, between two of 800 instants by up to {number(-lost, 1)}, and never "
+        f"rises ({number(gained, 1)})",
         judged(printed=max(sticking, gained) < ROUNDING and lost < -1e-3),
         "60 exact motions.",
         shown(KAPPA, 0.97, energy="shown"),
