@@ -12,8 +12,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
+from scipy.special import beta
 
-from restitution.mechanics.stepping import step_collisions
+from restitution.mechanics.stepping import step_collisions, stepped_course
 from restitution.studies.paper import (
     conclusion_claims,
     equations,
@@ -211,6 +212,94 @@ def _damped_course(eta, kappa, psi, steps=100_000):
         capped.append(abs(free) >= new)
         u -= dt * y
     return u / psi, capped
+
+
+def test_contact_lasts_as_long_as_equation_20_says():
+    duration = 0.8**0.6 * beta(0.4, 0.5)
+    assert duration == pytest.approx(3.21806545971904, abs=1e-12)
+    _, capped = _damped_course(0.0, 2.0, 0.5)
+    assert len(capped) * 3.4 / 100_000 == pytest.approx(duration, abs=1e-3)
+
+
+def test_normal_restitution_of_equation_3_comes_out_of_a_general_solver():
+    def rates(_, s):
+        x = max(s[0], 0.0)
+        return [s[1], -(x**1.5) - 0.3 * math.sqrt(x) * s[1]]
+
+    def over(t, s):
+        return s[0] + 0.3 * s[1] if t > 1 else 1.0
+
+    over.terminal = True
+    end = solve_ivp(rates, (0, 4), [0, 1], rtol=1e-10, atol=1e-12, events=over).y[1, -1]
+    assert "0.7221" in study_paper()[2].computed
+    assert -end == pytest.approx(0.72208544, abs=1e-7)
+
+
+def test_a_spring_that_is_never_reset_gives_another_answer():
+    # Eq. 23 as printed, with the sign of the force but z not held: semi-implicit steps
+    def final(*, held, kappa=63.0, psi=0.17, steps=200_000):
+        dt = 3.2180654597190431 / steps
+        x, v, u, y = 0.0, 1.0, psi, 0.0
+        for _ in range(steps):
+            v -= dt * max(x, 0.0) ** 1.5
+            x += dt * v
+            cap = max(x, 0.0) ** 1.5
+            y += dt * kappa * u
+            force = min(max(y, -cap), cap)
+            if held:
+                y = force
+            u -= dt * force
+        return u / psi
+
+    assert final(held=True) == pytest.approx(0.144, abs=2e-3)
+    assert final(held=False) == pytest.approx(-1.28, abs=2e-2)
+
+
+def test_figure_6_stops_and_turns_when_it_is_said_to():
+    time, _, velocity = stepped_course(100.0, 0.3, 100_000)
+    stop = int(np.argmax(velocity < 0))
+    lowest = stop + int(np.argmax(np.diff(velocity[stop:]) > 0))
+    assert time[stop] == pytest.approx(0.916, abs=1e-3)
+    assert time[lowest] == pytest.approx(1.073, abs=1e-3)
+    # before the largest compression, at half the contact
+    assert time[stop] < 0.6 * 1.609
+
+
+def test_letters_turn_as_the_text_says_in_time_steps_too():
+    # b negative, c positive, e positive, f positive, g negative
+    signs = np.sign(course(np.full(5, 63.0), np.array([1.9, 1.6, 0.97, 0.69, 0.585]))[0])
+    assert signs.tolist() == [-1, 1, 1, 1, -1]
+
+
+def test_pure_sliding_ends_at_two_in_time_steps_too():
+    kappas = np.array([0.6, 5.0, 63.0, 1000.0])
+    assert course(kappas, np.full(4, 2.005))[1].tolist() == [0, 0, 0, 0]
+    assert np.all(course(kappas, np.full(4, 1.9))[1] >= 2)
+    # soft springs stick above two: the limit is larger, not smaller
+    assert course(0.2, 4.0)[1][0] == 2
+
+
+def test_plateau_of_solid_spheres_is_not_zero_in_time_steps_too():
+    psis = np.linspace(1 / math.sqrt(4.521), 2, 400)
+    solid = course(np.full(400, 4.521), psis, 10_000)[0]
+    stiff = course(np.full(400, 1000.0), psis, 20_000)[0]
+    assert solid.mean() == pytest.approx(-0.22, abs=0.005)
+    assert abs(stiff.mean()) < 1e-3
+    assert np.max(np.abs(stiff)) < 0.05
+
+
+def test_gear_wheel_and_many_switches_come_out_in_time_steps_too():
+    stiffness = (math.pi / 3.2180654597190431) ** 2
+    assert course(stiffness, 0.1)[0][0] == pytest.approx(-1, abs=1e-3)
+    most = course(np.full(300, 400.0), np.linspace(0.05, 1.99, 300), 40_000)[1].max()
+    assert most == 20
+
+
+def test_damped_contacts_begin_sticking_and_end_sliding_for_many_collisions():
+    for kappa, psi in ((1.0, 0.3), (5.0, 0.5), (20.0, 0.1), (63.0, 0.02)):
+        _, capped = _damped_course(0.5, kappa, psi, steps=60_000)
+        assert not capped[1], (kappa, psi)
+        assert capped[-1], (kappa, psi)
 
 
 # --------------------------------------------------------- broken inputs flip the verdicts

@@ -106,8 +106,8 @@ PRESETS = (
         (30.0, 1.4, 0.5),
         f"{PAPER}: Fig. 3; point ours",
         "ε_t of the scaled collision over κ and g_t/g_n: a plateau near zero below g_t/g_n = "
-        "2.8, swings at small g_t/g_n. The paper gives neither axes nor μ/α: ours are those of "
-        "Fig. 4, and 1.4. The box 3-D lifts the map to the paper's surface.",
+        "2.8, swings at small g_t/g_n. Axes and μ/α are ours, for the paper gives none; 3-D lifts "
+        "the map to its surface.",
         {"map": "epsilon_t", "map_x": "kappa", "map_y": "gt_over_gn", "scale": "linear"},
     ),
     _preset(
