@@ -99,7 +99,8 @@ export function mountShell({ present, onOption }) {
 
     /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */
     caption({ parameters, epsilon_t: epsilon }) {
-      if (root.dataset.embed) {
+      // The results beyond the paper are not of this collision.
+      if (root.dataset.embed && root.dataset.shown !== "paper") {
         const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
         const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
         typeset(

@@ -218,3 +218,22 @@ def test_axe_finds_nothing_to_object_to_in_the_list(page: Page, width: int, sche
     page.locator(".statement summary").first.click()
     expect(page.get_by_test_id("switch-law-said")).not_to_be_empty()
     assert objections(page) == []
+
+
+@pytest.mark.parametrize("panel", ["collapse", "stiff_law", "switch_law"])
+def test_a_result_beyond_the_paper_fills_its_frame(page: Page, panel: str):
+    page.set_viewport_size({"width": 1440, "height": 700})
+    page.goto(f"/?embed={panel}")
+    plot = page.get_by_test_id(panel.replace("_", "-"))
+    expect(page.get_by_test_id(f"{panel.replace('_', '-')}-said")).not_to_be_empty()
+    assert plot.bounding_box()["height"] > 450
+    assert page.evaluate("document.documentElement.scrollHeight") <= 700
+    expect(page.get_by_test_id("embed-caption")).to_be_empty()
+
+
+def test_the_list_stands_in_a_frame_with_its_head(page: Page):
+    page.goto("/?embed=paper&paper_verdict=fails")
+    expect(page.get_by_test_id("paper-count")).to_be_visible()
+    expect(page.locator(".statement").first).to_be_visible(timeout=20_000)
+    expect(page.locator(".masthead")).to_be_hidden()
+    expect(page.get_by_test_id("collapse")).to_be_hidden()
