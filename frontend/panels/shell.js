@@ -77,6 +77,7 @@ export function mountShell({ present, onOption }) {
       if (wanted === shown) {
         return;
       }
+      const focused = document.activeElement;
       shown = wanted;
       theme.value = state.theme;
       setOrRemove(root, "data-theme", state.theme, "system");
@@ -95,6 +96,10 @@ export function mountShell({ present, onOption }) {
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
       }
       fullPage.href = writeAddress({ ...state, embed: "none" });
+      // What led here may have gone with its scene: the keyboard goes on in this one.
+      if (focused?.closest("[hidden]")) {
+        find(skip.hash).focus({ preventScroll: true });
+      }
     },
 
     /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */

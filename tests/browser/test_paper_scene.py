@@ -237,3 +237,18 @@ def test_the_list_stands_in_a_frame_with_its_head(page: Page):
     expect(page.locator(".statement").first).to_be_visible(timeout=20_000)
     expect(page.locator(".masthead")).to_be_hidden()
     expect(page.get_by_test_id("collapse")).to_be_hidden()
+
+
+def test_the_keyboard_goes_on_in_the_scene_that_was_opened(page: Page, server: str):
+    focused = "() => document.activeElement.id"
+    page.goto("/")
+    settle(page, server)
+    page.locator('[data-preset="figure-1"]').focus()
+    page.keyboard.press("Enter")
+    expect(page.get_by_test_id("figure-caption")).to_contain_text("Coulomb's law")
+    assert page.evaluate(focused) == "impact-controls"
+    open_scene(page)
+    page.locator('[data-statement="equation-7"] a').focus()
+    page.keyboard.press("Enter")
+    settle(page, server)
+    assert page.evaluate(focused) == "controls"
