@@ -1,6 +1,7 @@
 // @ts-check
 
 import { createClient, createExplanation, Unreachable } from "./api/client.js";
+import { createLaws } from "./api/laws.js";
 import {
   collisionQuery,
   cutQuery,
@@ -20,6 +21,7 @@ import { find, byTestId } from "./panels/find.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
 import { afterNextFrame, announcePainted } from "./panels/painted.js";
+import { mountPaperScene } from "./panels/paper-scene.js";
 import { mountParameterControl } from "./panels/parameter-control.js";
 import { mountPictures } from "./panels/pictures.js";
 import { mountPresets } from "./panels/presets.js";
@@ -39,7 +41,7 @@ import { horizontalAxis, scaleFor } from "./state/map-view.js";
 import { readMap } from "./state/map-reading.js";
 import { PARAMETERS, sameCollision } from "./state/parameters.js";
 import { createStore } from "./state/store.js";
-import { readAddress } from "./state/url.js";
+import { readAddress, stateAt } from "./state/url.js";
 
 /**
  * @typedef {import("./state/url.js").PageState} PageState
@@ -48,6 +50,7 @@ import { readAddress } from "./state/url.js";
  */
 
 const client = createClient();
+const laws = createLaws(client.columns);
 const { state: initialState, problems } = readAddress(location.search);
 const store = createStore(initialState);
 const addressBar = createAddressBar((state, wrong) => {
@@ -80,10 +83,7 @@ const timeCursor = mountTimeCursor(
   (share) => animation.point(share),
 );
 const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
-const map = mountMap(find(".map-panel"), {
-  onPlace: changeCollision,
-  onOption: (patch) => store.set(patch),
-});
+const map = mountMap(find(".map-panel"), { onPlace: changeCollision, onOption: store.set });
 const cut = mountCut(find(".cut-panel"), changeCollision);
 const accuracyScene = mountAccuracyScene({
   load: client,
@@ -101,11 +101,19 @@ const spheresScene = mountSpheresScene({
   },
   onState: (patch, change) => store.set(patch, change),
 });
+const paperScene = mountPaperScene({
+  load: { paper: client.paper, ...laws.load },
+  onError: explain,
+  onOption: (patch) => store.set(patch),
+  onOpen(link) {
+    store.set({ ...readAddress(link).state, theme: store.get().theme });
+    scrollTo(0, 0);
+  },
+});
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
-const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
-  const { kappa, mu_over_alpha, gt_over_gn, damping, alpha } = preset;
-  const collision = { kappa, mu_over_alpha, gt_over_gn, damping };
-  store.set({ collision, alpha, scale: scaleFor(collision, store.get()) }, { inputTimeStamp });
+const presets = mountPresets(byTestId("presets"), ({ link, alpha }, inputTimeStamp) => {
+  const state = stateAt(store.get(), link);
+  store.set({ ...state, alpha, scale: scaleFor(state.collision, state) }, { inputTimeStamp });
 });
 const controls = PARAMETERS.map((parameter) => ({
   ...parameter,
@@ -170,6 +178,7 @@ mountPictures({
     cut: shownCut,
     ...accuracyScene.shown(),
     ...spheresScene.shown(),
+    ...paperScene.shown(),
   }),
   bodies: spheresScene.bodies,
   loadFile: client.file,
@@ -180,6 +189,7 @@ mountPictures({
     cut: cutQuery,
     errorMap: errorMapQuery,
     stepped: steppedQuery,
+    ...laws.queries,
   },
 });
 
@@ -230,7 +240,7 @@ function showState(state) {
   cut.point(state.collision);
   energyToggle.show(state.energy);
   velocity.showEnergy(state.energy === "shown");
-  presets.show(state.collision);
+  presets.show(state);
 }
 
 function drawMap() {
@@ -267,6 +277,7 @@ function loadAll() {
   cuts.forget();
   accuracyScene.forget();
   spheresScene.forget();
+  paperScene.forget();
   const change = { dragging: false, inputTimeStamp: performance.now() };
   spheresScene.follow(store.get(), change);
   ask(store.get(), change);
@@ -298,6 +309,7 @@ function followRest(state, dragging) {
   }
   // In the other scenes it learns that it is not shown.
   accuracyScene.follow(state, dragging);
+  paperScene.follow(state);
 }
 
 /** Whether the server computes again: one that is merely there may still be too busy. */

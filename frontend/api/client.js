@@ -98,7 +98,7 @@ import {
  * @property {{steps_max: number, velocity_verlet: {error_p95: number | null, error_max: number | null}}} rule
  */
 
-/** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, alpha: number, source: string}} Preset */
+/** @typedef {import("../state/parameters.js").Collision & {id: string, title: string, alpha: number, source: string, link: string, caption: string}} Preset */
 
 /** The server could not be asked, or is too busy: asking again later may help. */
 export class Unreachable extends Error {}
@@ -355,6 +355,21 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     /** @param {string} id @returns {Promise<Run>} */
     async cancelRun(id) {
       return (await get(`${base}/tradeoff/runs/${id}`, undefined, { method: "DELETE" })).body;
+    },
+
+    /** @returns {Promise<import("../state/paper.js").Statement[]>} */
+    async paper() {
+      return (await get(`${base}/paper`)).body.items;
+    },
+
+    /**
+     * An answer with its arrays.
+     * @param {string} call
+     * @param {Record<string, string>} query
+     */
+    async columns(call, query) {
+      const marks = new URLSearchParams({ ...query, encoding: "base64" });
+      return decodeArrays((await get(`${base}/${call}?${marks}`)).body);
     },
 
     /** @returns {Promise<Preset[]>} */

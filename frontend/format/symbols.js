@@ -29,18 +29,29 @@ export const PLOT_SYMBOLS = {
 };
 
 /**
- * A text in pieces: plain ones, and symbols as a letter with its index, as in ε_t or κ.
+ * What a symbol looks like in a text: an index of a letter or in braces, a power in braces, a letter
+ * of the paper that stands alone.
+ */
+const SYMBOL =
+  /((?:(?<![A-Za-ce-z])[A-Za-z]|[εψκηξζμΩ])_(?:[a-z0](?![a-z])|\{[^{}]*\})|\^\{[^{}]*\}|[εψκμανηξζβτ](?!_)|(?<![A-Za-z])t(?= = ))/;
+
+/**
+ * A text in pieces: plain ones, and symbols as a letter with its index, as in ε_t, m_{eff} or κ, or a
+ * power, as in ^{−5/4}.
  * @param {string} text
- * @returns {{plain?: string, letter?: string, index?: string}[]}
+ * @returns {{plain?: string, letter?: string, index?: string, power?: string}[]}
  */
 export function splitSymbols(text) {
   return text
-    .split(
-      /((?<![A-Za-z])[A-Za-zεψκη]_[a-z](?![a-z])|[εψκμανη](?![A-Za-z_])|(?<![A-Za-z])t(?= = ))/,
-    )
-    .map((piece, i) =>
-      i % 2 === 0 ? { plain: piece } : { letter: piece[0], index: piece.slice(2) },
-    )
+    .split(SYMBOL)
+    .map((piece, i) => {
+      if (i % 2 === 0) {
+        return { plain: piece };
+      }
+      return piece[0] === "^"
+        ? { power: piece.slice(2, -1) }
+        : { letter: piece[0], index: piece.slice(2).replace(/[{}]/g, "") };
+    })
     .filter(({ plain }) => plain !== "");
 }
 

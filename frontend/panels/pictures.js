@@ -12,6 +12,7 @@ import {
   velocityMapTable,
   velocityTable,
 } from "../figures/tables.js";
+import { collapseTable, stiffLawTable, switchLawTable } from "../figures/law-tables.js";
 import { tradeoffTable } from "../figures/tradeoff-table.js";
 import { significant } from "../format/number.js";
 import { accuracyQuery, failingOf, inSteps } from "../state/accuracy.js";
@@ -28,6 +29,9 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @property {import("../api/client.js").Trace | null} trace
  * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} map
  * @property {import("../api/client.js").Tradeoff | null} tradeoff
+ * @property {import("../figures/collapse-figure.js").FrictionCurve[] | null} collapse
+ * @property {import("../figures/stiff-law-figure.js").StiffCut[] | null} stiffLaw
+ * @property {import("../figures/switch-law-figure.js").SwitchLaw | null} switchLaw
  * @property {{errors: Float64Array[], wish: import("../state/error-map-loader.js").ErrorMapWish} | null} errors
  * @property {import("../api/client.js").Stepped | null} stepped
  * @property {import("../api/client.js").Scaling | null} scaling
@@ -53,6 +57,9 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {(wish: import("../api/client.js").CutWish) => Record<string, string>} page.queries.cut
  * @param {(wish: import("../state/error-map-loader.js").ErrorMapWish) => Record<string, string>} page.queries.errorMap
  * @param {(collision: Collision, accuracy: Record<string, string>) => Record<string, string>} page.queries.stepped
+ * @param {() => Record<string, string>[]} page.queries.collapse
+ * @param {() => Record<string, string>[]} page.queries.stiffLaw
+ * @param {() => Record<string, string>} page.queries.switchLaw
  */
 export function mountPictures({ present, shown, queries, bodies, loadFile }) {
   const parameters = () => ({ ...present().collision });
@@ -189,6 +196,29 @@ export function mountPictures({ present, shown, queries, bodies, loadFile }) {
         made(shown().place, ({ grid, view }) =>
           mapTable({ grid, quantity: "epsilon_t" }, rowsOf(view), present().collision),
         ),
+    },
+    paper: {
+      title: "The paper",
+      request: () => ({ call: "paper", query: {} }),
+      parameters: () => ({}),
+    },
+    collapse: {
+      title: "Collapse onto two parameters",
+      request: () => ({ call: "cut", query: queries.collapse()[0] }),
+      parameters: () => ({}),
+      table: () => made(shown().collapse, collapseTable),
+    },
+    stiff_law: {
+      title: "The stiff limit",
+      request: () => ({ call: "cut", query: queries.stiffLaw()[0] }),
+      parameters: () => ({}),
+      table: () => made(shown().stiffLaw, stiffLawTable),
+    },
+    switch_law: {
+      title: "Largest number of switches",
+      request: () => ({ call: "map", query: queries.switchLaw() }),
+      parameters: () => ({}),
+      table: () => made(shown().switchLaw, switchLawTable),
     },
     steps: {
       title: "Steps for an error",

@@ -1,18 +1,20 @@
 // @ts-check
 
+import { isAt } from "../state/url.js";
+import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
 
 /** @typedef {import("../api/client.js").Preset} Preset */
 
 /**
- * The presets: the letters of Fig. 5 in a row of their own, the others as they come.
+ * The presets, figures of the paper among them: the letters of Fig. 5 in a row of their own, the others as they come.
  * @param {HTMLElement} element
  * @param {(preset: Preset, inputTimeStamp: number) => void} onChoose
  */
 export function mountPresets(element, onChoose) {
   /** @type {{preset: Preset, button: HTMLButtonElement}[]} */
   let choices = [];
-  /** @type {import("../state/parameters.js").Collision | null} */
+  /** @type {import("../state/url.js").PageState | null} */
   let present = null;
   const rows = document.createElement("div");
   rows.className = "preset-rows";
@@ -24,14 +26,30 @@ export function mountPresets(element, onChoose) {
     /** @type {Preset | null} */
     let chosen = null;
     for (const { preset, button } of choices) {
-      const isChosen = present !== null && isSame(preset, present);
+      const isChosen = present !== null && isSame(preset, present.collision);
       chosen = isChosen ? preset : chosen;
       // This runs at every step of a drag, where most steps change nothing here.
       if (button.ariaPressed !== String(isChosen)) {
         button.ariaPressed = String(isChosen);
       }
     }
-    typeset(source, chosen ? `${chosen.title}: ${chosen.source}` : "");
+    // What a figure shows is said where it is shown, with its axes.
+    const caption = chosen && present && isAt(present, chosen.link) ? chosen.caption : "";
+    typeset(source, chosen ? `${chosen.title}: ${caption || chosen.source}` : "");
+    markSpheres();
+  }
+
+  /** Figures of real spheres have their velocities for parameters, and their own place. */
+  function markSpheres() {
+    const state = present;
+    const found =
+      state?.scene === "spheres"
+        ? choices.find(({ preset }) => preset.caption && isAt(state, preset.link))
+        : undefined;
+    typeset(
+      byTestId("figure-caption"),
+      found ? `${found.preset.title}. ${found.preset.caption}` : "",
+    );
   }
 
   /** @param {Preset} preset */
@@ -68,9 +86,9 @@ export function mountPresets(element, onChoose) {
       mark();
     },
 
-    /** @param {import("../state/parameters.js").Collision} collision */
-    show(collision) {
-      present = collision;
+    /** @param {import("../state/url.js").PageState} state */
+    show(state) {
+      present = state;
       mark();
     },
   };

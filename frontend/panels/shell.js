@@ -13,6 +13,9 @@ import { typeset } from "./typeset.js";
 const SAID = 2000;
 const TALL_DESK = "(min-width: 75rem) and (min-height: 75rem)";
 
+/** Where the skip link leads in scenes without the usual controls. @type {Record<string, string>} */
+const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
+
 /**
  * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
  * @param {object} handlers
@@ -74,6 +77,7 @@ export function mountShell({ present, onOption }) {
       if (wanted === shown) {
         return;
       }
+      const focused = document.activeElement;
       shown = wanted;
       theme.value = state.theme;
       setOrRemove(root, "data-theme", state.theme, "system");
@@ -86,17 +90,22 @@ export function mountShell({ present, onOption }) {
         const own = part.getAttribute("data-scene")?.split(" ") ?? [];
         part.toggleAttribute("hidden", !own.includes(scene));
       }
-      skip.href = scene === "spheres" ? "#impact-controls" : "#controls";
+      skip.href = `#${MAIN_PARTS[scene] ?? "controls"}`;
       for (const { id, link } of links) {
         link.href = writeAddress({ ...state, scene: id });
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
       }
       fullPage.href = writeAddress({ ...state, embed: "none" });
+      // What led here may have gone with its scene: the keyboard goes on in this one.
+      if (focused?.closest("[hidden]")) {
+        find(skip.hash).focus({ preventScroll: true });
+      }
     },
 
     /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */
     caption({ parameters, epsilon_t: epsilon }) {
-      if (root.dataset.embed) {
+      // The results beyond the paper are not of this collision.
+      if (root.dataset.embed && root.dataset.shown !== "paper") {
         const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
         const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
         typeset(

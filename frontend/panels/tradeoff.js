@@ -3,6 +3,7 @@
 import { seriesOf, tradeoffFigure } from "../figures/tradeoff-figure.js";
 import { accuracyQuery, METHODS } from "../state/accuracy.js";
 import { REGIONS, STATISTICS } from "../state/tradeoff-options.js";
+import { choices } from "./choices.js";
 import { byTestId, find } from "./find.js";
 import { createPlot } from "./plot.js";
 import { currentTheme, onThemeChange } from "./theme.js";
@@ -107,25 +108,6 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
       plot.destroy();
     },
   };
-}
-
-/**
- * @param {HTMLElement} fieldset
- * @param {string} name
- * @param {{id: string, title: string}[]} items
- */
-function choices(fieldset, name, items) {
-  fieldset.append(
-    ...items.map(({ id, title }) => {
-      const label = document.createElement("label");
-      const input = document.createElement("input");
-      const text = document.createElement("span");
-      Object.assign(input, { type: "radio", name, value: id });
-      text.textContent = title;
-      label.append(input, text);
-      return label;
-    }),
-  );
 }
 
 /**

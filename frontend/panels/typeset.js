@@ -22,7 +22,10 @@ export function typeset(element, text) {
  * @param {ReturnType<typeof splitSymbols>[number]} piece
  * @returns {Node[]}
  */
-function set({ plain, letter, index }) {
+function set({ plain, letter, index, power }) {
+  if (power) {
+    return [holding("sup", power)];
+  }
   if (!letter) {
     return [document.createTextNode(plain ?? "")];
   }

@@ -9,4 +9,5 @@ export const SCENES = [
   { id: "explorer", title: "Explorer" },
   { id: "spheres", title: "Real spheres" },
   { id: "accuracy", title: "Speed and accuracy" },
+  { id: "paper", title: "The paper" },
 ];

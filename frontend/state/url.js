@@ -3,6 +3,7 @@
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
+import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { PARAMETERS, parseNumber, parseParameter, SOLID_ALPHA } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
@@ -22,17 +23,20 @@ const PANELS = {
   explorer: ["force", "velocity", "map", "cut", "contact"],
   accuracy: ["tradeoff", "error_map", "overlay", "steps"],
   spheres: ["velocities", "sphere_cut", "impact", "place"],
+  paper: ["paper", "collapse", "stiff_law", "switch_law"],
 };
 
 /** The same of the page around the pictures; they stand in the address only where they are not the first. */
 const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
-  embed: ["none", "result", ...PANELS.explorer, ...PANELS.accuracy, ...PANELS.spheres],
+  embed: ["none", "result", ...Object.values(PANELS).flat()],
   region: REGIONS.map(({ id }) => id),
   statistic: STATISTICS.map(({ id }) => id),
   wanted_error: WANTED_ERRORS,
   velocity_law: ["epsilon_t", "coulomb"],
+  paper_verdict: VERDICT_CHOICES.map(({ id }) => id),
+  paper_kind: KIND_CHOICES.map(({ id }) => id),
 };
 
 /** How ε_t is got; it stands in the address only where it is not the usual way. */
@@ -64,6 +68,8 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} statistic of the errors there
  * @property {string} wanted_error for which the steps are asked
  * @property {string} velocity_law whose ε_t is shown over the velocities
+ * @property {string} paper_verdict of the statements of the paper that are listed
+ * @property {string} paper_kind of the same
  * @property {import("./impact.js").Impact} impact of real spheres
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
@@ -211,6 +217,43 @@ export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
     }
   }
   return `?${query}`;
+}
+
+/**
+ * The state at an address of the server that leaves some options open: they stay as they are. A
+ * collision is given whole, and a material without what was set by hand.
+ * @param {PageState} present
+ * @param {string} link from its question mark on
+ * @returns {PageState}
+ */
+export function stateAt(present, link) {
+  const options = new URLSearchParams(link);
+  const query = new URLSearchParams(writeAddress(present));
+  if (options.has("kappa")) {
+    query.delete("damping");
+  }
+  if (options.has("material")) {
+    IMPACT_PARAMETERS.forEach(({ key }) => query.delete(key));
+  }
+  options.forEach((value, key) => query.set(key, value));
+  return readAddress(`?${query}`).state;
+}
+
+/**
+ * Whether a state is what an address asks for. Real spheres have their collision from the velocities.
+ * @param {PageState} state
+ * @param {string} link
+ */
+export function isAt(state, link) {
+  const target = readAddress(link).state;
+  return [...new URLSearchParams(link).keys()].every((key) => {
+    if (key in target.collision) {
+      const name = /** @type {keyof PageState["collision"]} */ (key);
+      return target.scene === "spheres" || target.collision[name] === state.collision[name];
+    }
+    const [wanted, found] = key in target.impact ? [target.impact, state.impact] : [target, state];
+    return Reflect.get(wanted, key) === Reflect.get(found, key);
+  });
 }
 
 /** @param {string} text */

@@ -216,3 +216,26 @@ def test_map_is_refused_by_the_names_of_all_that_is_wrong(service, more, paramet
     assert {name: entry["value"] for name, entry in wrong.items()} == {
         name: str(more[name]) for name in parameters
     }
+
+
+def test_largest_switches_bounds_the_counts_of_stiff_springs_closely(service):
+    answer = service.answer(
+        "/map",
+        mu_over_alpha=1,
+        kappa_min=1000,
+        kappa_max=10_000,
+        kappa_count=5,
+        gt_over_gn_min=0.02,
+        gt_over_gn_max=1.999,
+        gt_over_gn_count=400,
+        quantities="switches,largest_switches",
+    )
+    law = np.array(answer["largest_switches"])
+    # √κ t_c/π; counts are even, so within 2 of it
+    assert law[0] == pytest.approx(1.0243420 * np.sqrt(answer["kappa"]), rel=1e-6)
+    assert np.max(answer["switches"], axis=0) == pytest.approx(law[0], abs=2)
+    damped = service.answer(
+        "/cut", along="kappa", mu_over_alpha=1, gt_over_gn=1, damping=0.1, count=2,
+        quantities="largest_switches",
+    )  # fmt: skip
+    assert damped["largest_switches"] == [None, None]

@@ -17,6 +17,8 @@ FIELDS = {
     "damping",
     "alpha",
     "source",
+    "link",
+    "caption",
 }
 
 

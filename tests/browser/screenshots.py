@@ -29,6 +29,7 @@ SCENES = {
     "spheres": "scene=spheres",
     "spheres-measured": "scene=spheres&material=alumina-on-glass",
     "accuracy": "scene=accuracy",
+    "paper": "scene=paper",
     "accuracy-forward-euler": "scene=accuracy&method=timestep&steps=100&integrator=forward_euler",
     "explorer-switches-log": "kappa=100&mu_over_alpha=1&gt_over_gn=0.3&map=switches&scale=log",
 }

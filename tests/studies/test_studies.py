@@ -1,5 +1,7 @@
 """What scenes show: consistency between the views of one collision."""
 
+import urllib.parse
+
 import numpy as np
 import pytest
 
@@ -8,11 +10,14 @@ from restitution.errors import CostError, ParameterError
 from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
 from restitution.studies.batch import study_batch
+from restitution.studies.bodies import Sphere
 from restitution.studies.collision import study_collision
 from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
 from restitution.studies.parameters import CollisionParameters, scaled_velocity
 from restitution.studies.presets import PRESETS
+from restitution.studies.scaling import Contact
+from restitution.studies.spheres import Velocities, study_scaling
 from restitution.studies.trace import study_trace
 
 
@@ -130,3 +135,24 @@ def test_presets_show_what_their_names_promise():
 def test_readme_example_takes_two_lines():
     assert restitution.epsilon_t(18, 1.4, 0.5).shape == ()
     assert restitution.trace(18, 1.4, 0.5)["tangential_velocity"].size == 404
+
+
+def test_figures_are_presets_with_a_caption_and_an_address():
+    figures = [preset for preset in PRESETS if preset.id.startswith("figure-")]
+    assert {preset.id[:8] for preset in figures} == {f"figure-{i}" for i in range(1, 7)}
+    assert all(preset.caption for preset in figures)
+    for preset in PRESETS:
+        options = dict(urllib.parse.parse_qsl(preset.link.removeprefix("?"), strict_parsing=True))
+        for name in ("kappa", "mu_over_alpha", "gt_over_gn"):
+            assert float(options[name]) == getattr(preset, name), preset.id
+
+
+def test_presets_of_steel_are_its_collisions():
+    steel = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+    by_id = {preset.id: preset for preset in PRESETS}
+    for name, speed, sideways in (("figure-1", 100, 100), ("figure-2", 100, 5), ("steel", 1, 0.5)):
+        study = study_scaling(Contact(steel, steel, 0.4, 1e12), Velocities(speed, sideways))
+        preset = by_id[name]
+        assert preset.kappa == pytest.approx(study.kappa, rel=2e-5)  # rounded for the eye
+        assert preset.mu_over_alpha == pytest.approx(study.mu_over_alpha)
+        assert preset.gt_over_gn == study.gt_over_gn

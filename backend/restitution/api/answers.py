@@ -12,6 +12,7 @@ from typing_extensions import TypedDict
 from restitution.api.request_bodies import Material
 from restitution.api.schemas import SceneName
 from restitution.studies.collision import Episode, Sensitivity
+from restitution.studies.paper import Item
 from restitution.studies.presets import Preset
 from restitution.studies.steps import Needed, Spread
 from restitution.studies.tradeoff import Measurement, Row
@@ -142,6 +143,7 @@ class Cut(ManyCollisions):
     coulomb: NotRequired[Numbers]
     stiff_bound: NotRequired[SomeNumbers]
     stiff_asymptote: NotRequired[SomeNumbers]
+    largest_switches: NotRequired[SomeNumbers]
     error: NotRequired[SomeNumbers]
 
 
@@ -153,6 +155,7 @@ class MapColumns(ManyCollisions):
     coulomb: NotRequired[Grid]
     stiff_bound: NotRequired[SomeGrid]
     stiff_asymptote: NotRequired[SomeGrid]
+    largest_switches: NotRequired[SomeGrid]
     error: NotRequired[SomeGrid]
 
 
@@ -237,6 +240,12 @@ class Presets(TypedDict):
     """Collisions worth a look."""
 
     items: list[Preset]
+
+
+class Paper(TypedDict):
+    """The paper, statement by statement."""
+
+    items: list[Item]
 
 
 class Materials(TypedDict):

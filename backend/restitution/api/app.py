@@ -13,7 +13,7 @@ from restitution.api.description import about
 from restitution.api.observing import LOGGER, observe, set_up_log
 from restitution.api.page import add_page, compress_page
 from restitution.api.reference_pages import add_reference_pages
-from restitution.api.routes import collisions, scaling, service, table, tradeoff
+from restitution.api.routes import collisions, paper, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
 from restitution.api.transport import Compression, Manners, OpenDoors
@@ -47,6 +47,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.include_router(scaling.router)
     app.include_router(table.router)
     app.include_router(tradeoff.router)
+    app.include_router(paper.router)
     app.include_router(service.router)
     app.include_router(service.health)
     observe(app, log_requests=settings.log_requests)

@@ -38,6 +38,7 @@ TAGS = [
     {"name": "real spheres", "description": "Collisions in SI units."},
     {"name": "table", "description": "ε_t(κ, ψ) for other codes."},
     {"name": "tradeoff", "description": "Speed and accuracy of the methods."},
+    {"name": "paper", "description": "What the paper prints, and what is computed now."},
     {"name": "presets", "description": "Collisions worth a look."},
     {"name": "service", "description": "What a supervisor asks."},
 ]

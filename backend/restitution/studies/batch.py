@@ -21,7 +21,15 @@ from restitution.studies.parameters import check, scaled_velocity
 MOST_DAMPINGS = 2000
 """Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
 
-QUANTITIES = ("epsilon_t", "switches", "coulomb", "stiff_bound", "stiff_asymptote", "error")
+QUANTITIES = (
+    "epsilon_t",
+    "switches",
+    "coulomb",
+    "stiff_bound",
+    "stiff_asymptote",
+    "largest_switches",
+    "error",
+)
 LISTED = ("epsilon_t", "epsilon_n", "switches")
 """Quantities of cuts and maps; of lists of collisions."""
 
@@ -170,6 +178,8 @@ def _law(name: str, kappa: FloatArray, psi: FloatArray, damping: float) -> Float
         return limits.coulomb_restitution(psi, normal_restitution(damping))
     if damping:
         return np.full(kappa.shape, np.nan)
+    if name == "largest_switches":
+        return limits.largest_switch_count(kappa)
     law = limits.stiff_bound if name == "stiff_bound" else limits.stiff_asymptote
     return law(kappa, psi)
 

@@ -1,5 +1,7 @@
-"""Collisions worth a look."""
+"""Collisions worth a look, the figures of the paper among them."""
 
+import urllib.parse
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 PAPER = "Schwager, Becker & Pöschel, Eur. Phys. J. E 27, 107 (2008), doi:10.1140/epje/i2007-10356-3"
@@ -9,7 +11,15 @@ SOLID = 2.0 / 7.0
 
 @dataclass(frozen=True)
 class Preset:
-    """A collision with a name; `alpha` is the α with which κ and μ/α were formed."""
+    """A collision with a name; `alpha` is the α with which κ and μ/α were formed.
+
+    Attributes
+    ----------
+    link : str
+        Address of the page, from its question mark on, that shows it.
+    caption : str
+        For a figure of the paper: what it shows, and what of it is our choice; else empty.
+    """
 
     id: str
     title: str
@@ -19,9 +29,26 @@ class Preset:
     source: str
     alpha: float = SOLID
     damping: float = 0.0
+    link: str = ""
+    caption: str = ""
 
 
-_LETTERS = {
+def _preset(
+    name: str,
+    title: str,
+    collision: tuple[float, float, float],
+    source: str,
+    caption: str = "",
+    view: Mapping[str, str] | None = None,
+) -> Preset:
+    """Return a collision κ, μ/α, g_t/g_n with its address; `view` are options of the page."""
+    names = ("kappa", "mu_over_alpha", "gt_over_gn")
+    parameters = {key: f"{value:g}" for key, value in zip(names, collision, strict=True)}
+    link = "?" + urllib.parse.urlencode(parameters | dict(view or {}))
+    return Preset(name, title, *collision, source, link=link, caption=caption)
+
+
+LETTERS = {
     "a": 2.2,
     "b": 1.9,
     "c": 1.6,
@@ -42,68 +69,106 @@ _LETTERS = {
 
 _FIGURE_5 = f"{PAPER}: Fig. 5; its κ = 18 is taken as ακ, so κ = 63, with μ = 0.4, α = 2/7; ψ = "
 
+_MAP_4 = {"map": "switches", "map_x": "alpha_kappa", "map_y": "gt_over_gn", "scale": "linear"}
+"""Of Figs. 4 and 5: switches over ακ 0…20 and g_t/g_n 0…4."""
+
+_STEEL = {"scene": "spheres", "material": "steel", "normal_velocity_m_s": "100"}
+
+_LETTER_CAPTION = (
+    "the tangential force over μ between plus and minus the normal one, over time. The paper's κ "
+    "= 18 is read as ακ; the paper does not give its g_t/g_n, ours has ψ = "
+)
+
 PRESETS = (
-    Preset("figure-3", "Fig. 3 · the surface ε_t", 30.0, 1.4, 0.5, f"{PAPER}: Fig. 3; point ours"),
-    Preset("figure-4", "Fig. 4 · switch counts", 63.0, 1.4, 1.36, f"{PAPER}: Fig. 4; point ours"),
+    _preset(
+        "figure-1",
+        "Fig. 1 · Coulomb's law",
+        (5896.51, 1.4, 1.0),
+        f"{PAPER}: Fig. 1; velocities ours",
+        "ε_t by Coulomb's law with a cut-off (Eq. 16) over both velocities, μ = 0.4, α = 2/7: "
+        "zero up to g_t = 2.8 g_n, then rising towards 1. The axes, to 200 m/s as in Fig. 2, and "
+        "the point are our choice.",
+        _STEEL | {"tangential_velocity_m_s": "100", "velocity_law": "coulomb"},
+    ),
+    _preset(
+        "figure-2",
+        "Fig. 2 · steel spheres",
+        (5896.51, 1.4, 0.05),
+        f"{PAPER}: Fig. 2; point ours",
+        "ε_t of equal steel spheres, R = 2 cm, k_t = 10¹² N/m, μ = 0.4, over both velocities up "
+        "to 200 m/s: as Fig. 1 but at the smallest g_t, where it swings and is negative. No "
+        "damping; the steel is taken to stay elastic, which it does not.",
+        _STEEL | {"tangential_velocity_m_s": "5", "velocity_law": "epsilon_t"},
+    ),
+    _preset(
+        "figure-3",
+        "Fig. 3 · the surface ε_t",
+        (30.0, 1.4, 0.5),
+        f"{PAPER}: Fig. 3; point ours",
+        "ε_t of the scaled collision over κ and g_t/g_n: a plateau near zero below g_t/g_n = "
+        "2.8, swings at small g_t/g_n. Axes and μ/α are ours, for the paper gives none; 3-D lifts "
+        "the map to its surface.",
+        {"map": "epsilon_t", "map_x": "kappa", "map_y": "gt_over_gn", "scale": "linear"},
+    ),
+    _preset(
+        "figure-4",
+        "Fig. 4 · switch counts",
+        (63.0, 1.4, 1.36),
+        f"{PAPER}: Fig. 4; point ours",
+        "How often the contact changes between sliding and sticking, over ακ 0…20 and g_t/g_n "
+        "0…4, μ = 0.4, α = 2/7. The paper labels the axis κ; only as ακ does it have its "
+        "switches. Its letters stand at ακ = 18.",
+        _MAP_4,
+    ),
     *(
-        Preset(
+        _preset(
             f"figure-5-{letter}",
             f"Fig. 5 {letter}",
-            63.0,
-            1.4,
-            round(1.4 * psi, 4),
+            (63.0, 1.4, round(1.4 * psi, 4)),
             f"{_FIGURE_5}{psi:g}, chosen by us",
+            f"{_LETTER_CAPTION}{psi:g}.",
         )
-        for letter, psi in _LETTERS.items()
+        for letter, psi in LETTERS.items()
     ),
-    Preset(
+    _preset(
         "figure-6",
         "Fig. 6 · a stiff spring",
-        100.0,
-        1.0,
-        0.3,
+        (100.0, 1.0, 0.3),
         f"{PAPER}: Fig. 6; it gives no μ/α, and 1 fits its first minimum shortly after t = 1",
+        "Force and tangential velocity of a stiff spring, κ = 100, g_t/g_n = 0.3: it stops, and "
+        "in many short slides nearly all of the velocity is lost. Where the paper has z(0) = "
+        "0.3, the velocity dz/dt is meant; μ/α = 1 is our choice.",
     ),
-    Preset(
+    _preset(
         "stiff-limit",
         "Stiff limit",
-        2000.0,
-        1.4,
-        1.0,
+        (2000.0, 1.4, 1.0),
         f"{PAPER}: Sect. 4.4; many episodes, ε_t near 0",
     ),
-    Preset(
+    _preset(
         "gear-wheel",
         "Gear wheel",
-        0.953,
-        1.4,
-        0.001,
+        (0.953, 1.4, 0.001),
         "κ = (π/t_c)²: half a swing of the spring during the contact, ε_t near −1 for weak spin",
     ),
-    Preset("pure-sliding", "Pure sliding", 18.0, 1.4, 3.5, f"{PAPER}: Sect. 3, Eq. 15; ψ = 2.5"),
-    Preset(
+    _preset("pure-sliding", "Pure sliding", (18.0, 1.4, 3.5), f"{PAPER}: Sect. 3, Eq. 15; ψ = 2.5"),
+    _preset(
         "steel",
         "Steel spheres of Fig. 2",
-        37204.0,
-        1.4,
-        0.5,
+        (37204.0, 1.4, 0.5),
         f"{PAPER}: caption of Fig. 2 at g_n = 1 m/s, k_t = 10¹² N/m",
     ),
-    Preset(
+    _preset(
         "mindlin",
         "Mindlin-like",
-        4.521,
-        1.4,
-        0.8,
-        "Mindlin's stiffness at the largest compression, one material with ν = 0.3; "
-        "R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)",
+        (4.521, 1.4, 0.8),
+        "Mindlin's stiffness at the largest compression, one material with ν = 0.3; R. D. "
+        "Mindlin, J. Appl. Mech. 16, 259 (1949)",
     ),
-    Preset(
+    _preset(
         "alumina-on-glass",
         "Alumina on glass",
-        4.72,
-        0.322,
-        0.58,
+        (4.72, 0.322, 0.58),
         "A. H. Kharaz, D. A. Gorham, A. D. Salman, Powder Technol. 120, 281 (2001): μ = 0.092, "
         "30° from the normal; κ from Mindlin's stiffness with E = 380 and 70 GPa, ν = 0.23, 0.25",
     ),

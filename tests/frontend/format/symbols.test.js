@@ -32,3 +32,21 @@ test("splitSymbols loses nothing of a text", () => {
     text,
   );
 });
+
+test("splitSymbols sets indices and powers in braces", () => {
+  assert.deepEqual(splitSymbols("m_{eff}g_n κ^{−5/4}, 10^{12}, F_n^{max}, R_iΩ_i"), [
+    { letter: "m", index: "eff" },
+    { letter: "g", index: "n" },
+    { plain: " " },
+    { letter: "κ", index: "" },
+    { power: "−5/4" },
+    { plain: ", 10" },
+    { power: "12" },
+    { plain: ", " },
+    { letter: "F", index: "n" },
+    { power: "max" },
+    { plain: ", " },
+    { letter: "R", index: "i" },
+    { letter: "Ω", index: "i" },
+  ]);
+});

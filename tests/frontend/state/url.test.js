@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
 import { impactOf } from "../../../frontend/state/impact.js";
 import { INITIAL_COLLISION, SOLID_ALPHA } from "../../../frontend/state/parameters.js";
-import { readAddress, writeAddress } from "../../../frontend/state/url.js";
+import { isAt, readAddress, stateAt, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
 const USUAL = {
@@ -24,6 +24,8 @@ const USUAL = {
   statistic: "p95",
   wanted_error: "1e-3",
   velocity_law: "epsilon_t",
+  paper_verdict: "all",
+  paper_kind: "all",
   impact: impactOf("steel"),
 };
 
@@ -54,6 +56,8 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       statistic: ["p95", "median", "max"][(i >> 1) % 3],
       wanted_error: ["1e-3", "1e-5"][i % 2],
       velocity_law: ["epsilon_t", "coulomb"][i % 2],
+      paper_verdict: ["all", "fails"][i % 2],
+      paper_kind: ["all", "equation", "claim"][i % 3],
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
         inertia: i % 8 > 3 ? null : "hollow",
@@ -118,4 +122,31 @@ test("writeAddress leaves out what is usual of the page, and holds what is not",
   const usual = readAddress("").state;
   assert.doesNotMatch(writeAddress(usual), /scene|theme|embed|method|region/);
   assert.match(writeAddress({ ...usual, theme: "dark", embed: "map" }), /&theme=dark&embed=map$/);
+});
+
+test("stateAt changes what an address names and leaves the rest, but for the damping and what is set by hand", () => {
+  const present = readAddress("?theme=dark&damping=0.3&map_y=psi&radius_m=0.1").state;
+  const letter = stateAt(present, "?kappa=18&mu_over_alpha=1&gt_over_gn=0.5&map=switches");
+  assert.deepEqual(letter, {
+    ...present,
+    collision: { kappa: 18, mu_over_alpha: 1, gt_over_gn: 0.5, damping: 0 },
+    map: "switches",
+  });
+  const steel = stateAt(present, "?material=steel&scene=spheres&normal_velocity_m_s=100");
+  assert.deepEqual(steel.impact, { ...impactOf("steel"), normal_velocity_m_s: 100 });
+  assert.equal(steel.collision.damping, 0.3);
+});
+
+test("isAt knows the state that an address asks for, whatever else it says", () => {
+  const link = "?kappa=63&mu_over_alpha=1.4&gt_over_gn=1.36&map=switches";
+  const there = stateAt(readAddress("?theme=dark").state, link);
+  assert.ok(isAt(there, link));
+  assert.ok(!isAt({ ...there, map: "epsilon_t" }, link));
+  assert.ok(!isAt({ ...there, collision: { ...there.collision, kappa: 62 } }, link));
+  const steel = "?kappa=5896.51&scene=spheres&material=steel&tangential_velocity_m_s=5";
+  const spheres = stateAt(there, steel);
+  assert.ok(isAt({ ...spheres, collision: { ...spheres.collision, kappa: 5896.5105 } }, steel));
+  assert.ok(
+    !isAt({ ...spheres, impact: { ...spheres.impact, tangential_velocity_m_s: 6 } }, steel),
+  );
 });
