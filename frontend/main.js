@@ -17,6 +17,7 @@ import { mountCut } from "./panels/cut.js";
 import { mountEnergyToggle } from "./panels/energy-toggle.js";
 import { mountContactAnimation } from "./panels/contact-animation.js";
 import { find, byTestId } from "./panels/find.js";
+import { mountLessonDoor } from "./panels/lesson-door.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
 import { afterNextFrame, announcePainted } from "./panels/painted.js";
@@ -38,6 +39,7 @@ import { createMapLoader } from "./state/map-loader.js";
 import { horizontalAxis, scaleFor } from "./state/map-view.js";
 import { readMap } from "./state/map-reading.js";
 import { PARAMETERS, sameCollision } from "./state/parameters.js";
+import { WITH_MAP } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 
@@ -100,6 +102,11 @@ const spheresScene = mountSpheresScene({
     strip.preview(null);
   },
   onState: (patch, change) => store.set(patch, change),
+});
+const lesson = mountLessonDoor({
+  loadTexts: client.texts,
+  onError: explain,
+  onState: (patch) => store.set(patch),
 });
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), (preset, inputTimeStamp) => {
@@ -191,7 +198,8 @@ store.subscribe((state, previous, change) => {
     preview(state.collision, change);
   }
   if (!change.fromAddress) {
-    addressBar.follow(state, change.dragging);
+    const isTurned = state.scene !== previous.scene || state.step !== previous.step;
+    addressBar.follow(state, change.dragging, isTurned);
   }
   if (MAP_LOOKS.some((key) => state[key] !== previous[key])) {
     drawMap();
@@ -231,6 +239,7 @@ function showState(state) {
   energyToggle.show(state.energy);
   velocity.showEnergy(state.energy === "shown");
   presets.show(state.collision);
+  lesson.follow(state);
 }
 
 function drawMap() {
@@ -267,6 +276,7 @@ function loadAll() {
   cuts.forget();
   accuracyScene.forget();
   spheresScene.forget();
+  lesson.follow(store.get());
   const change = { dragging: false, inputTimeStamp: performance.now() };
   spheresScene.follow(store.get(), change);
   ask(store.get(), change);
@@ -292,7 +302,7 @@ function ask(state, change) {
  * @param {boolean} dragging
  */
 function followRest(state, dragging) {
-  if (state.scene === "explorer") {
+  if (WITH_MAP.includes(state.scene)) {
     maps.follow(state, dragging);
     cuts.follow(state, dragging);
   }
@@ -338,6 +348,7 @@ function showCollision(answer, { collision, accuracy, change, isPictured }) {
   accuracyControl.tell(isOffered ? "" : accuracy.method);
   if (isPresent) {
     map.settle(result, change.dragging);
+    lesson.settle(answer, change.dragging);
   }
   cut.settle(result);
   shell.caption(result);

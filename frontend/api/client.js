@@ -23,6 +23,7 @@ import {
  * @property {number | null} reversals
  * @property {number} contact_duration
  * @property {{initial: number, final: number, dissipated: number}} energy
+ * @property {{coulomb: number}} estimates
  * @property {string} summary
  * @property {string} convention
  * @property {boolean} limit
@@ -326,6 +327,15 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     /** @param {string} id @returns {Promise<Run>} */
     async cancelRun(id) {
       return (await get(`${base}/tradeoff/runs/${id}`, undefined, { method: "DELETE" })).body;
+    },
+
+    /**
+     * The texts of the page in a language.
+     * @param {string} language
+     * @returns {Promise<Record<string, any>>}
+     */
+    async texts(language) {
+      return (await get(`/static/locales/${language}.json`)).body;
     },
 
     /** @returns {Promise<Preset[]>} */

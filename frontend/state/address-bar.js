@@ -35,8 +35,9 @@ export function createAddressBar(onReturn) {
     /**
      * @param {import("./url.js").PageState} state
      * @param {boolean} dragging
+     * @param {boolean} [isTurned] to another page, so to say: always a step of its own
      */
-    follow(state, dragging) {
+    follow(state, dragging, isTurned = false) {
       const address = writeAddress(state);
       clearTimeout(timer);
       if (dragging) {
@@ -45,7 +46,7 @@ export function createAddressBar(onReturn) {
       }
       if (address !== settled) {
         const now = performance.now();
-        if (now - settledAt < ONE_STEP) {
+        if (now - settledAt < ONE_STEP && !isTurned) {
           history.replaceState(null, "", address);
         } else {
           history.replaceState(null, "", settled);

@@ -9,4 +9,8 @@ export const SCENES = [
   { id: "explorer", title: "Explorer" },
   { id: "spheres", title: "Real spheres" },
   { id: "accuracy", title: "Speed and accuracy" },
+  { id: "lesson", title: "Lesson" },
 ];
+
+/** Those that show map and cut. */
+export const WITH_MAP = ["explorer", "lesson"];
