@@ -109,7 +109,7 @@ function stepOnPaper(step, number, withNotes, say, language) {
     part.append(make("ul", "handout-options", ...options));
     part.append(make("p", "handout-why", told("span", "", say("lesson.handout.why"))));
   } else {
-    const found = ["found", "reading"].map((key) => say(`lesson.handout.${key}`));
+    const found = [say("lesson.handout.found"), say("lesson.handout.reading")];
     part.append(make("p", "handout-blanks", ...blanks(found)));
   }
   part.append(...Array.from({ length: LINES }, () => make("div", "handout-line")));

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { USUAL_ACCURACY } from "../state/accuracy.js";
 import { LANGUAGES, chosenLanguage } from "../state/language.js";
 import { stepOf, STEPS, textsOf } from "../state/lesson.js";
 import { createTranslation } from "../state/translation.js";
@@ -109,8 +110,13 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
 
   /** @param {number} by */
   function turn(by) {
-    isTurning = true;
-    go(String(Number(present?.step) + by));
+    const step = String(Number(present?.step) + by);
+    if (stepOf(step)) {
+      isTurning = true;
+      go(step);
+    } else {
+      onState({ scene: "explorer", accuracy: USUAL_ACCURACY });
+    }
   }
 
   /** Sets what a step sets. @param {string} step */
@@ -169,14 +175,13 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
     for (const [part, key] of /** @type {const} */ ([
       [previous, "lesson.previous"],
       [again, "lesson.again"],
-      [next, "lesson.next"],
+      [next, step === STEPS.at(-1) ? "lesson.finish" : "lesson.next"],
       [notesLabel, "lesson.notes.switch"],
       [handoutButton, "lesson.handout.open"],
     ])) {
       typeset(part, say(key));
     }
     previous.disabled = step === STEPS[0];
-    next.disabled = step === STEPS[STEPS.length - 1];
     nav.setAttribute("aria-label", say("lesson.contents"));
     languages.setAttribute("aria-label", say("lesson.language"));
     languages.value = language;

@@ -87,10 +87,12 @@ export function readAddress(search) {
   const query = new URLSearchParams(search);
   /** @type {string[]} */
   const problems = [];
+  /** @type {string[]} */
+  const inWords = [];
   /** @type {Record<string, string>} */
   const words = {};
   for (const [key, allowed] of Object.entries(PAGE_WORDS)) {
-    words[key] = readWord(query, key, allowed, problems);
+    words[key] = readWord(query, key, allowed, inWords);
   }
   // A panel that stands alone brings its scene along.
   const own = Object.entries(PANELS).find(([, panels]) => panels.includes(words.embed));
@@ -99,7 +101,7 @@ export function readAddress(search) {
   const usual = settingOf(words.scene, words.step);
   for (const [key, allowed] of Object.entries(WORDS)) {
     const first = usual[/** @type {keyof typeof WORDS} */ (key)] ?? allowed[0];
-    words[key] = readWord(query, key, allowed, problems, first);
+    words[key] = readWord(query, key, allowed, inWords, first);
   }
   /** @type {Record<string, number>} */
   const collision = {};
@@ -113,6 +115,7 @@ export function readAddress(search) {
     }
     collision[parameter.key] = value ?? usual.collision?.[parameter.key] ?? parameter.initial;
   }
+  problems.push(...inWords);
   const accuracy = readAccuracy(query, problems, usual.accuracy ?? USUAL_ACCURACY);
   const impact = readImpact(query, problems);
   const alpha = readAlpha(query, problems);

@@ -24,6 +24,10 @@ const USUAL = {
   statistic: "p95",
   wanted_error: "1e-3",
   velocity_law: "epsilon_t",
+  step: "1",
+  lang: "system",
+  notes: "hidden",
+  handout: "hidden",
   impact: impactOf("steel"),
 };
 
@@ -54,6 +58,10 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       statistic: ["p95", "median", "max"][(i >> 1) % 3],
       wanted_error: ["1e-3", "1e-5"][i % 2],
       velocity_law: ["epsilon_t", "coulomb"][i % 2],
+      step: String(1 + (i % 10)),
+      lang: ["system", "en", "de"][i % 3],
+      notes: i % 2 ? "hidden" : "shown",
+      handout: i % 4 ? "hidden" : "shown",
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
         inertia: i % 8 > 3 ? null : "hollow",
