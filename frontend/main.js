@@ -106,6 +106,7 @@ const spheresScene = mountSpheresScene({
 const lesson = mountLessonDoor({
   loadTexts: client.texts,
   onError: explain,
+  onLost: (reason) => connection.reportLost(reason),
   onState: (patch) => store.set(patch),
 });
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
@@ -198,8 +199,7 @@ store.subscribe((state, previous, change) => {
     preview(state.collision, change);
   }
   if (!change.fromAddress) {
-    const isTurned = state.scene !== previous.scene || state.step !== previous.step;
-    addressBar.follow(state, change.dragging, isTurned);
+    addressBar.follow(state, change.dragging);
   }
   if (MAP_LOOKS.some((key) => state[key] !== previous[key])) {
     drawMap();
@@ -276,7 +276,7 @@ function loadAll() {
   cuts.forget();
   accuracyScene.forget();
   spheresScene.forget();
-  lesson.follow(store.get());
+  lesson.forget();
   const change = { dragging: false, inputTimeStamp: performance.now() };
   spheresScene.follow(store.get(), change);
   ask(store.get(), change);

@@ -8,6 +8,7 @@ import { byTestId } from "./find.js";
  * @typedef {object} LessonHandlers
  * @property {(language: string) => Promise<Record<string, any>>} loadTexts
  * @property {(error: unknown) => void} onError
+ * @property {(reason: string) => void} onLost
  * @property {(patch: Partial<PageState>) => void} onState
  */
 
@@ -26,7 +27,13 @@ export function mountLessonDoor(handlers) {
 
   async function open() {
     isOpening = true;
-    const { mountLessonScene } = await import("./lesson-scene.js");
+    const module = await import("./lesson-scene.js").catch(() => null);
+    isOpening = false;
+    if (!module) {
+      handlers.onLost("The lesson did not arrive");
+      return;
+    }
+    const { mountLessonScene } = module;
     scene = mountLessonScene(byTestId("lesson"), byTestId("handout"), handlers);
     if (state) {
       scene.follow(state);
@@ -36,14 +43,24 @@ export function mountLessonDoor(handlers) {
     }
   }
 
+  /** @param {PageState} next */
+  function follow(next) {
+    state = next;
+    if (scene) {
+      scene.follow(state);
+    } else if (state.scene === "lesson" && !isOpening) {
+      open();
+    }
+  }
+
   return {
-    /** @param {PageState} next */
-    follow(next) {
-      state = next;
-      if (scene) {
-        scene.follow(state);
-      } else if (state.scene === "lesson" && !isOpening) {
-        open();
+    follow,
+
+    /** Asks again for what did not come, as after the server was away. */
+    forget() {
+      scene?.forget();
+      if (state) {
+        follow(state);
       }
     },
 

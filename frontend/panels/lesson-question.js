@@ -116,6 +116,7 @@ export function mountLessonQuestion(element, onDone) {
     if (option === step.question.right) {
       onDone(step);
     }
+    feedback.scrollIntoView({ block: "nearest" });
   }
 
   /** How far the present collision is from the goal. */

@@ -46,7 +46,8 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
   let present = null;
   /** @type {Say | null} */
   let say = null;
-  /** The language that is spoken. */
+  /** The language that is to be spoken, and the one that is. */
+  let asked = "";
   let language = "";
   let drawn = "";
   /** Whether the heading gets the focus, so that a reader goes on there. */
@@ -127,19 +128,21 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
   /** Speaks the language of the state, once its texts are here. @param {PageState} state */
   async function speak({ lang }) {
     const wanted = chosenLanguage(lang, navigator.languages);
-    if (wanted === language) {
+    if (wanted === asked) {
       return;
     }
+    asked = wanted;
+    const fallback = LANGUAGES[0].id;
     try {
-      await Promise.all([LANGUAGES[0].id, wanted].map(learn));
+      await Promise.all([...new Set([fallback, wanted])].map(learn));
     } catch (error) {
       onError(error);
-      return;
     }
+    const spoken = [wanted, fallback].find(translation.has);
     // Another may have been chosen since.
-    if (present && chosenLanguage(present.lang, navigator.languages) === wanted) {
-      language = wanted;
-      say = translation.in(wanted);
+    if (asked === wanted && spoken) {
+      language = spoken;
+      say = translation.in(spoken);
       drawn = "";
       draw();
     }
@@ -237,7 +240,9 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
       if (isTurning) {
         isTurning = false;
         title.focus();
-        element.scrollIntoView({ block: "start" });
+        if (element.getBoundingClientRect().top < 0) {
+          element.scrollIntoView();
+        }
       }
     },
 
@@ -248,6 +253,13 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
     settle({ result, trace }, dragging) {
       if (present?.scene === "lesson" && trace) {
         question.settle({ state: present, exact: trace, shown: result }, dragging);
+      }
+    },
+
+    /** Asks again for texts that did not come. */
+    forget() {
+      if (asked !== language) {
+        asked = "";
       }
     },
 

@@ -61,6 +61,8 @@ export const READINGS = {
 const STOPPED = 0.02;
 /** Exact laws agree but for rounding. */
 const ROUNDING = 1e-9;
+/** A finger on a phone moves a slider by two per cent at a time. */
+const SAME_PSI = 0.03;
 const WANTED_ERROR = 1e-3;
 
 const SAME_BOUNCE = { kappa: 18, mu_over_alpha: 1.4, gt_over_gn: 0.7 };
@@ -177,7 +179,7 @@ export const STEPS = [
           return "friction";
         }
         const psi = SAME_BOUNCE.gt_over_gn / SAME_BOUNCE.mu_over_alpha;
-        const isSame = Math.abs((exact.parameters.psi ?? Infinity) / psi - 1) <= 0.01;
+        const isSame = Math.abs((exact.parameters.psi ?? Infinity) / psi - 1) <= SAME_PSI;
         return isSame ? "met" : "apart";
       },
     },

@@ -214,11 +214,11 @@ export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
   if (alpha !== SOLID_ALPHA) {
     query.set("alpha", String(alpha));
   }
-  const { accuracy: usualAccuracy = USUAL_ACCURACY } = settingOf(words.scene, words.step);
-  for (const [key, usual] of Object.entries(usualAccuracy)) {
-    const value = accuracy[/** @type {keyof typeof accuracy} */ (key)];
-    if (value !== usual) {
-      query.set(key, String(value));
+  const step = settingOf(words.scene, words.step).accuracy ?? USUAL_ACCURACY;
+  for (const [name, usual] of Object.entries(USUAL_ACCURACY)) {
+    const key = /** @type {keyof typeof accuracy} */ (name);
+    if (accuracy[key] !== usual || accuracy[key] !== step[key]) {
+      query.set(key, String(accuracy[key]));
     }
   }
   for (const [key, value] of Object.entries(impact)) {
