@@ -133,11 +133,7 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
     }
     asked = wanted;
     const fallback = LANGUAGES[0].id;
-    try {
-      await Promise.all([...new Set([fallback, wanted])].map(learn));
-    } catch (error) {
-      onError(error);
-    }
+    await Promise.all([...new Set([fallback, wanted])].map(learn));
     const spoken = [wanted, fallback].find(translation.has);
     // Another may have been chosen since.
     if (asked === wanted && spoken) {
@@ -150,8 +146,13 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
 
   /** @param {string} id */
   async function learn(id) {
-    if (!translation.has(id)) {
+    if (translation.has(id)) {
+      return;
+    }
+    try {
       translation.add(id, await loadTexts(id));
+    } catch (error) {
+      onError(error);
     }
   }
 

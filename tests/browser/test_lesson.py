@@ -189,7 +189,7 @@ def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, 
     settle(page, server)
     assert collision_of(page)["kappa"] > 2 * start["kappa"]
     page.get_by_test_id("contact-play").click()
-    page.get_by_test_id("map-quantity").get_by_text("switches").click()
+    page.locator("[name='map'][value='switches']").check()
     expect(page.get_by_test_id("map")).to_have_attribute("aria-label", re.compile("switches"))
     page.get_by_test_id("lesson-again").click()
     settle(page, server)
