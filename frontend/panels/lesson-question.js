@@ -141,8 +141,8 @@ export function mountLessonQuestion(element, onDone) {
       tell("there", say("lesson.there"), "");
     } else if (outcome && present && isMoved(step, present)) {
       tell("wrong", say("lesson.notYet"), say(verdicts[outcome]));
-    } else if (outcome) {
-      tell("open", "", "");
+    } else {
+      tell("open", "", say("lesson.try"));
     }
   }
 
@@ -227,7 +227,7 @@ function inDigits(value, language) {
   if (value === null) {
     return ABSENT;
   }
-  const digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 3 });
+  const digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 4 });
   return digits.format(Math.abs(value) < ROUNDED_AWAY ? 0 : value).replace("-", "\u2212");
 }
 

@@ -57,7 +57,10 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
     done.add(step);
     drawProgress();
   });
-  const handout = mountHandout(handoutElement, () => onState({ handout: "hidden" }));
+  const handout = mountHandout(handoutElement, () => {
+    onState({ handout: "hidden" });
+    handoutButton.focus();
+  });
 
   title.tabIndex = -1;
   previous.dataset.testid = "lesson-previous";

@@ -100,6 +100,20 @@ test("every step says one thing, in two to four sentences", () => {
   }
 });
 
+test("the document for teachers has every step, with its title, question and time", () => {
+  const document = readFileSync(new URL("../docs/lesson.md", FRONTEND), "utf8");
+  const rows = STEPS.map(({ minutes, question, ...step }, i) => {
+    const title = locales.en[textsOf({ question, ...step }).title];
+    return `/?scene=lesson&step=${i + 1}) | ${title} | ${question.kind} | ${minutes} |`;
+  });
+  assert.deepEqual(
+    rows.filter((row) => !document.includes(row)),
+    [],
+  );
+  const total = STEPS.reduce((sum, { minutes }) => sum + minutes, 0);
+  assert.ok(document.includes(`about ${total} minutes`));
+});
+
 test("an address that names a step alone brings what the step sets", () => {
   for (const [i, step] of STEPS.entries()) {
     const { state, problems } = readAddress(`?scene=lesson&step=${i + 1}`);
