@@ -438,6 +438,18 @@ def test_a_language_that_does_not_come_is_replaced_by_english(page: Page, server
     settle(page, server)
 
 
+@pytest.mark.parametrize("part", ["lesson-scene.js", "locales/*.json"])
+def test_the_lesson_comes_once_the_server_is_back(page: Page, server: str, part: str):
+    page.goto("/")
+    settle(page, server)
+    page.route(f"**/{part}", lambda route: route.abort())
+    page.get_by_test_id("scenes").get_by_text("Lesson").click()
+    expect(page.get_by_test_id("banner")).not_to_be_empty()
+    page.unroute_all()
+    eventually(lambda: says(page, "lesson-title", Texts("en").step("spin", "title")), page)
+    expect(page.get_by_test_id("banner")).to_be_empty()
+
+
 PLACES = {
     "wrong": ("/?scene=lesson&step=4", lambda page: page.locator("[data-option='odd']").click()),
     "reached": (
