@@ -3,7 +3,7 @@ import { defineConfig, globalIgnores } from "eslint/config";
 import globals from "globals";
 
 export default defineConfig([
-  globalIgnores([".venv/", "build/"]),
+  globalIgnores([".venv/", "build/", "frontend/vendor/"]),
   js.configs.recommended,
   {
     rules: {

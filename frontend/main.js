@@ -18,6 +18,7 @@ import { mountCut } from "./panels/cut.js";
 import { mountEnergyToggle } from "./panels/energy-toggle.js";
 import { mountContactAnimation } from "./panels/contact-animation.js";
 import { find, byTestId } from "./panels/find.js";
+import { mountLessonDoor } from "./panels/lesson-door.js";
 import { mountMap } from "./panels/map.js";
 import { mountMessage } from "./panels/messages.js";
 import { afterNextFrame, announcePainted } from "./panels/painted.js";
@@ -40,6 +41,7 @@ import { createMapLoader } from "./state/map-loader.js";
 import { horizontalAxis, scaleFor } from "./state/map-view.js";
 import { readMap } from "./state/map-reading.js";
 import { PARAMETERS, sameCollision } from "./state/parameters.js";
+import { WITH_MAP } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
 import { readAddress, stateAt } from "./state/url.js";
 
@@ -106,9 +108,15 @@ const paperScene = mountPaperScene({
   onError: explain,
   onOption: (patch) => store.set(patch),
   onOpen(link) {
-    store.set({ ...readAddress(link).state, theme: store.get().theme });
+    store.set({ ...readAddress(link).state, theme: store.get().theme, lang: store.get().lang });
     scrollTo(0, 0);
   },
+});
+const lesson = mountLessonDoor({
+  loadTexts: client.texts,
+  onError: explain,
+  onLost: (reason) => connection.reportLost(reason),
+  onState: (patch) => store.set(patch),
 });
 const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => store.set({ energy }));
 const presets = mountPresets(byTestId("presets"), ({ link, alpha }, inputTimeStamp) => {
@@ -241,6 +249,7 @@ function showState(state) {
   energyToggle.show(state.energy);
   velocity.showEnergy(state.energy === "shown");
   presets.show(state);
+  lesson.follow(state);
 }
 
 function drawMap() {
@@ -278,6 +287,7 @@ function loadAll() {
   accuracyScene.forget();
   spheresScene.forget();
   paperScene.forget();
+  lesson.forget();
   const change = { dragging: false, inputTimeStamp: performance.now() };
   spheresScene.follow(store.get(), change);
   ask(store.get(), change);
@@ -303,7 +313,7 @@ function ask(state, change) {
  * @param {boolean} dragging
  */
 function followRest(state, dragging) {
-  if (state.scene === "explorer") {
+  if (WITH_MAP.includes(state.scene)) {
     maps.follow(state, dragging);
     cuts.follow(state, dragging);
   }
@@ -350,6 +360,7 @@ function showCollision(answer, { collision, accuracy, change, isPictured }) {
   accuracyControl.tell(isOffered ? "" : accuracy.method);
   if (isPresent) {
     map.settle(result, change.dragging);
+    lesson.settle(answer, change.dragging);
   }
   cut.settle(result);
   shell.caption(result);

@@ -23,7 +23,7 @@ LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}
 MODULES_MAY_IMPORT = {
     "figures": {"figures", "format"},
     "format": {"format"},
-    "state": {"state", "api", "format"},
+    "state": {"state", "api", "format", "vendor"},
     "api": {"api"},
     "panels": {"panels", "figures", "state", "format", "api"},
 }

@@ -23,6 +23,7 @@ import {
  * @property {number | null} reversals
  * @property {number} contact_duration
  * @property {{initial: number, final: number, dissipated: number}} energy
+ * @property {{coulomb: number}} estimates
  * @property {string} summary
  * @property {string} convention
  * @property {boolean} limit
@@ -370,6 +371,15 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     async columns(call, query) {
       const marks = new URLSearchParams({ ...query, encoding: "base64" });
       return decodeArrays((await get(`${base}/${call}?${marks}`)).body);
+    },
+
+    /**
+     * The texts of the page in a language.
+     * @param {string} language
+     * @returns {Promise<Record<string, any>>}
+     */
+    async texts(language) {
+      return (await get(`/static/locales/${language}.json`)).body;
     },
 
     /** @returns {Promise<Preset[]>} */

@@ -69,3 +69,16 @@ export const PLAIN_SYMBOLS = {
   tangential_stiffness_n_per_m: "k_t",
   dissipative_constant_s: "A",
 };
+
+/** What texts in several languages name a symbol by, and the letters it stands for. */
+export const TEXT_SYMBOLS = {
+  epsilon_t: "ε_t",
+  epsilon_n: "ε_n",
+  kappa: PLAIN_SYMBOLS.kappa,
+  mu_over_alpha: PLAIN_SYMBOLS.mu_over_alpha,
+  gt_over_gn: PLAIN_SYMBOLS.gt_over_gn,
+  damping: PLAIN_SYMBOLS.damping,
+  psi: "ψ",
+  mu: "μ",
+  gt: "g_t",
+};

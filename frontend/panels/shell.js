@@ -1,6 +1,7 @@
 // @ts-check
 
 import { significant, typable } from "../format/number.js";
+import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
 import { writeAddress } from "../state/url.js";
 import { copyText } from "./copy.js";
@@ -42,7 +43,7 @@ export function mountShell({ present, onOption }) {
     link.textContent = title;
     link.addEventListener("click", (event) => {
       event.preventDefault();
-      onOption({ scene: id });
+      onOption({ scene: id, ...settingOf(id, present().step) });
     });
     return { id, link };
   });
@@ -73,7 +74,7 @@ export function mountShell({ present, onOption }) {
     /** @param {PageState} state */
     show(state) {
       const { scene, embed } = state;
-      const wanted = `${scene} ${state.theme} ${embed}`;
+      const wanted = `${scene} ${state.theme} ${embed} ${state.step}`;
       if (wanted === shown) {
         return;
       }
@@ -92,7 +93,7 @@ export function mountShell({ present, onOption }) {
       }
       skip.href = `#${MAIN_PARTS[scene] ?? "controls"}`;
       for (const { id, link } of links) {
-        link.href = writeAddress({ ...state, scene: id });
+        link.href = writeAddress({ ...state, scene: id, ...settingOf(id, state.step) });
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
       }
       fullPage.href = writeAddress({ ...state, embed: "none" });

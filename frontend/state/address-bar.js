@@ -15,6 +15,8 @@ const ONE_STEP = 1000;
 export function createAddressBar(onReturn) {
   let settled = location.search;
   let settledAt = -ONE_STEP;
+  /** Which page of the book, so to say: to turn it is always a step of its own. */
+  let page = "";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
@@ -22,6 +24,7 @@ export function createAddressBar(onReturn) {
     clearTimeout(timer);
     settled = location.search;
     const { state, problems } = readAddress(settled);
+    page = pageOf(state);
     onReturn(state, problems);
   });
 
@@ -29,6 +32,7 @@ export function createAddressBar(onReturn) {
     /** @param {import("./url.js").PageState} state */
     correct(state) {
       settled = writeAddress(state);
+      page = pageOf(state);
       history.replaceState(null, "", settled);
     },
 
@@ -45,7 +49,7 @@ export function createAddressBar(onReturn) {
       }
       if (address !== settled) {
         const now = performance.now();
-        if (now - settledAt < ONE_STEP) {
+        if (now - settledAt < ONE_STEP && page === pageOf(state)) {
           history.replaceState(null, "", address);
         } else {
           history.replaceState(null, "", settled);
@@ -53,7 +57,13 @@ export function createAddressBar(onReturn) {
         }
         settled = address;
         settledAt = now;
+        page = pageOf(state);
       }
     },
   };
+}
+
+/** @param {import("./url.js").PageState} state */
+function pageOf({ scene, step }) {
+  return `${scene} ${step}`;
 }

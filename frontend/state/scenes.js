@@ -10,4 +10,8 @@ export const SCENES = [
   { id: "spheres", title: "Real spheres" },
   { id: "accuracy", title: "Speed and accuracy" },
   { id: "paper", title: "The paper" },
+  { id: "lesson", title: "Lesson" },
 ];
+
+/** Those that show map and cut. */
+export const WITH_MAP = ["explorer", "lesson"];

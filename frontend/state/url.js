@@ -4,6 +4,8 @@ import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
+import { LANGUAGES } from "./language.js";
+import { settingOf, STEPS } from "./lesson.js";
 import { PARAMETERS, parseNumber, parseParameter, SOLID_ALPHA } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
@@ -37,6 +39,10 @@ const PAGE_WORDS = {
   velocity_law: ["epsilon_t", "coulomb"],
   paper_verdict: VERDICT_CHOICES.map(({ id }) => id),
   paper_kind: KIND_CHOICES.map(({ id }) => id),
+  step: STEPS.map((_, i) => String(i + 1)),
+  lang: ["system", ...LANGUAGES.map(({ id }) => id)],
+  notes: ["hidden", "shown"],
+  handout: ["hidden", "shown"],
 };
 
 /** How ε_t is got; it stands in the address only where it is not the usual way. */
@@ -70,6 +76,10 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} velocity_law whose ε_t is shown over the velocities
  * @property {string} paper_verdict of the statements of the paper that are listed
  * @property {string} paper_kind of the same
+ * @property {string} step of the lesson, from 1 on
+ * @property {string} lang the language of what is translated, or `system`
+ * @property {"hidden" | "shown"} notes for teachers
+ * @property {"hidden" | "shown"} handout of the lesson, in place of its pictures
  * @property {import("./impact.js").Impact} impact of real spheres
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
@@ -83,6 +93,22 @@ export function readAddress(search) {
   const query = new URLSearchParams(search);
   /** @type {string[]} */
   const problems = [];
+  /** @type {string[]} */
+  const inWords = [];
+  /** @type {Record<string, string>} */
+  const words = {};
+  for (const [key, allowed] of Object.entries(PAGE_WORDS)) {
+    words[key] = readWord(query, key, allowed, inWords);
+  }
+  // A panel that stands alone brings its scene along.
+  const own = Object.entries(PANELS).find(([, panels]) => panels.includes(words.embed));
+  words.scene = own?.[0] ?? words.scene;
+  // What a step of the lesson sets need not stand in its address.
+  const usual = settingOf(words.scene, words.step);
+  for (const [key, allowed] of Object.entries(WORDS)) {
+    const first = usual[/** @type {keyof typeof WORDS} */ (key)] ?? allowed[0];
+    words[key] = readWord(query, key, allowed, inWords, first);
+  }
   /** @type {Record<string, number>} */
   const collision = {};
   for (const parameter of PARAMETERS) {
@@ -93,17 +119,10 @@ export function readAddress(search) {
         `${PLAIN_SYMBOLS[parameter.key]} must be ${parameter.requirement}, not “${shortened(text)}”`,
       );
     }
-    collision[parameter.key] = value ?? parameter.initial;
+    collision[parameter.key] = value ?? usual.collision?.[parameter.key] ?? parameter.initial;
   }
-  /** @type {Record<string, string>} */
-  const words = {};
-  for (const [key, allowed] of Object.entries({ ...WORDS, ...PAGE_WORDS })) {
-    words[key] = readWord(query, key, allowed, problems);
-  }
-  // A panel that stands alone brings its scene along.
-  const own = Object.entries(PANELS).find(([, panels]) => panels.includes(words.embed));
-  words.scene = own?.[0] ?? words.scene;
-  const accuracy = readAccuracy(query, problems);
+  problems.push(...inWords);
+  const accuracy = readAccuracy(query, problems, usual.accuracy ?? USUAL_ACCURACY);
   const impact = readImpact(query, problems);
   const alpha = readAlpha(query, problems);
   return {
@@ -149,20 +168,21 @@ function readAlpha(query, problems) {
 /**
  * @param {URLSearchParams} query
  * @param {string[]} problems to which those of it are added
+ * @param {import("./accuracy.js").Accuracy} usual
  */
-function readAccuracy(query, problems) {
-  const numbers = Object.values(KNOBS).map(({ key, admits, requirement, initial }) => {
+function readAccuracy(query, problems, usual) {
+  const numbers = Object.values(KNOBS).map(({ key, admits, requirement }) => {
     const text = query.get(key);
-    const value = text === null ? initial : parseNumber(text);
+    const value = text === null ? usual[key] : parseNumber(text);
     const isAllowed = value !== null && admits(value);
     if (!isAllowed) {
       problems.push(`${key} must be ${requirement}, not “${shortened(text ?? "")}”`);
     }
-    return [key, isAllowed ? value : initial];
+    return [key, isAllowed ? value : usual[key]];
   });
   const words = Object.entries(ACCURACY_WORDS).map(([key, allowed]) => [
     key,
-    readWord(query, key, allowed, problems),
+    readWord(query, key, allowed, problems, usual[/** @type {"method"} */ (key)]),
   ]);
   return Object.fromEntries([...numbers, ...words]);
 }
@@ -170,15 +190,16 @@ function readAccuracy(query, problems) {
 /**
  * @param {URLSearchParams} query
  * @param {string} key
- * @param {string[]} allowed the first stands in for what is not
+ * @param {string[]} allowed
  * @param {string[]} problems
+ * @param {string} [usual] stands in for what is not allowed or not there
  */
-function readWord(query, key, allowed, problems) {
+function readWord(query, key, allowed, problems, usual = allowed[0]) {
   const text = query.get(key);
   if (text !== null && !allowed.includes(text)) {
     problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
   }
-  return text !== null && allowed.includes(text) ? text : allowed[0];
+  return text !== null && allowed.includes(text) ? text : usual;
 }
 
 /**
@@ -199,10 +220,11 @@ export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
   if (alpha !== SOLID_ALPHA) {
     query.set("alpha", String(alpha));
   }
-  for (const [key, usual] of Object.entries(USUAL_ACCURACY)) {
-    const value = accuracy[/** @type {keyof typeof accuracy} */ (key)];
-    if (value !== usual) {
-      query.set(key, String(value));
+  const step = settingOf(words.scene, words.step).accuracy ?? USUAL_ACCURACY;
+  for (const [name, usual] of Object.entries(USUAL_ACCURACY)) {
+    const key = /** @type {keyof typeof accuracy} */ (name);
+    if (accuracy[key] !== usual || accuracy[key] !== step[key]) {
+      query.set(key, String(accuracy[key]));
     }
   }
   for (const [key, value] of Object.entries(impact)) {

@@ -28,6 +28,8 @@ SCENES = {
     "explorer-stiff-limit": "kappa=2000&mu_over_alpha=1.4&gt_over_gn=1",
     "spheres": "scene=spheres",
     "spheres-measured": "scene=spheres&material=alumina-on-glass",
+    "lesson": "scene=lesson&step=2&lang=en",
+    "lesson-german-notes": "scene=lesson&step=7&lang=de&notes=shown",
     "accuracy": "scene=accuracy",
     "paper": "scene=paper",
     "accuracy-forward-euler": "scene=accuracy&method=timestep&steps=100&integrator=forward_euler",

@@ -12,9 +12,10 @@ const sources = Object.fromEntries(
 const ARROWS = {
   api: ["api"],
   format: ["format"],
-  state: ["state", "format"],
+  state: ["state", "format", "vendor"],
   figures: ["figures", "format"],
   panels: ["panels", "figures", "state", "format"],
+  vendor: [],
 };
 
 test("imports follow the arrows: panels to figures and state, nothing back", () => {
@@ -48,11 +49,36 @@ test("nothing is loaded from another host", () => {
   }
 });
 
-test("the page announces every module, so that none waits for another to be read", () => {
+/** What is loaded along with a module; what it imports only when it is needed is not. */
+function loadedWith(file, loaded = new Set()) {
+  loaded.add(file);
+  for (const [, path] of sources[file].matchAll(
+    /^(?:import|} from|export .* from) .*"(\.[^"]+)"/gm,
+  )) {
+    const target = new URL(path, new URL(file, ROOT)).href.slice(ROOT.href.length);
+    if (!loaded.has(target)) {
+      loadedWith(target, loaded);
+    }
+  }
+  return loaded;
+}
+
+test("the page announces every module of the first view, so that none waits for another", () => {
   const page = readFileSync(new URL("index.html", ROOT), "utf8");
   const announced = [...page.matchAll(/rel="modulepreload" href="\/static\/([^"]+)"/g)];
+  const needed = [...loadedWith("main.js")].filter((file) => file !== "main.js");
   assert.deepEqual(
     announced.map(([, file]) => file),
-    files.filter((file) => file !== "main.js").sort(),
+    needed.sort(),
   );
+});
+
+test("only what the lesson needs waits until it is opened, its library among it", () => {
+  const first = loadedWith("main.js");
+  const later = loadedWith("panels/lesson-scene.js");
+  assert.deepEqual(
+    files.filter((file) => !first.has(file) && !later.has(file)),
+    [],
+  );
+  assert.ok(later.has("vendor/i18next.js") && !first.has("vendor/i18next.js"));
 });

@@ -26,6 +26,10 @@ const USUAL = {
   velocity_law: "epsilon_t",
   paper_verdict: "all",
   paper_kind: "all",
+  step: "1",
+  lang: "system",
+  notes: "hidden",
+  handout: "hidden",
   impact: impactOf("steel"),
 };
 
@@ -58,6 +62,10 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       velocity_law: ["epsilon_t", "coulomb"][i % 2],
       paper_verdict: ["all", "fails"][i % 2],
       paper_kind: ["all", "equation", "claim"][i % 3],
+      step: String(1 + (i % 10)),
+      lang: ["system", "en", "de"][i % 3],
+      notes: i % 2 ? "hidden" : "shown",
+      handout: i % 4 ? "hidden" : "shown",
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
         inertia: i % 8 > 3 ? null : "hollow",

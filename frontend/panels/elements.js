@@ -1,0 +1,32 @@
+// @ts-check
+
+import { typeset } from "./typeset.js";
+
+/**
+ * An element that this page makes.
+ * @template {keyof HTMLElementTagNameMap} Name
+ * @param {Name} name
+ * @param {string} className
+ * @param {(Node | string)[]} content
+ * @returns {HTMLElementTagNameMap[Name]}
+ */
+export function make(name, className, ...content) {
+  const element = document.createElement(name);
+  element.className = className;
+  element.append(...content);
+  return element;
+}
+
+/**
+ * One that holds a text with its symbols set.
+ * @template {keyof HTMLElementTagNameMap} Name
+ * @param {Name} name
+ * @param {string} className
+ * @param {string} text
+ * @returns {HTMLElementTagNameMap[Name]}
+ */
+export function told(name, className, text) {
+  const element = make(name, className);
+  typeset(element, text);
+  return element;
+}
