@@ -1,5 +1,7 @@
 """Tables for other codes: their errors are what they say."""
 
+import time
+
 import numpy as np
 import pytest
 from scipy.interpolate import interpn
@@ -200,3 +202,10 @@ def test_damping_out_of_range_is_refused(damping):
 def test_unreachable_error_says_how_far_it_got():
     with pytest.raises(CostError, match="at most so far"):
         study_table_within(1e-6, *FIGURE_4, "paper", seconds=0.3)
+
+
+def test_an_error_far_out_of_reach_is_refused_before_the_time_is_spent():
+    begin = time.process_time()
+    with pytest.raises(CostError, match="1e-12 takes about"):
+        study_table_within(1e-12, *FIGURE_4, "paper", seconds=30.0)
+    assert time.process_time() - begin < 5.0

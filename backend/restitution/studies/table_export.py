@@ -26,6 +26,9 @@ FEWEST_DAMPINGS = 4
 GROWTH = math.sqrt(2.0)
 """Of the count along the axis with the largest error, from one try to the next."""
 
+HOPELESS = 100.0
+"""Times the limit; an estimate of more than that is believed before all of the limit is spent."""
+
 MIDDLES = {"kappa": (0.0, 0.0, 0.5), "psi": (0.0, 0.5, 0.0), "damping": (0.5, 0.0, 0.0)}
 """The middle of an edge of every cell, along each axis, as shares along η, ψ and κ."""
 
@@ -98,7 +101,7 @@ def study_table_within(
 ) -> RestitutionTable:
     """Return a table whose largest error is at most `error`; as of `study_table`.
 
-    The counts of the axes are found by trying.
+    The counts of the axes are found by trying; what is out of reach is refused at once.
     """
     third = replace(damping, count=FEWEST_DAMPINGS) if isinstance(damping, Axis) else damping
     grid = TableGrid(replace(kappa, count=FEWEST), replace(psi, count=FEWEST), third)
@@ -123,6 +126,14 @@ def study_table_within(
         spent += expected * (1 + len(errors)) / (1 + len(SAMPLED))
         worst = max(errors, key=errors.__getitem__)
         best = min(best, grid.safety * errors[worst])
+        # the error of linear interpolation falls with the square of the distance at best
+        more = math.prod(math.sqrt(max(1.0, grid.safety * e / error)) for e in errors.values())
+        if more * _least_seconds(grid) > HOPELESS * seconds:
+            raise CostError(
+                f"an error of {error:g} takes about {more * math.prod(grid.shape):.1g} entries or "
+                f"more here ({best:.2g} at most so far); the limit of {seconds:g} s of one core is "
+                "far below. Ask for a larger error, or for a narrower range"
+            )
         if grid.safety * errors[worst] <= error:
             table = study_table(grid.kappa, grid.psi, sign, grid.damping, seconds=seconds)
             spent += expected
