@@ -1,19 +1,29 @@
 """The documents stay true: their commands run, their links lead somewhere."""
 
+import doctest
 import json
 import re
 import shlex
 import subprocess
+import tomllib
+import urllib.parse
 from pathlib import Path
 
 import pytest
+import yaml
 
+from restitution.api.settings import Settings
 from restitution.studies.report import tradeoff_report
 from restitution.studies.tradeoff import load_tradeoff
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()
-DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+DOCUMENTS = [
+    ROOT / "README.md",
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "CHANGELOG.md",
+    *sorted((ROOT / "docs").glob("*.md")),
+]
 
 
 def test_python_example_runs_as_it_stands():
@@ -25,6 +35,41 @@ def test_python_example_runs_as_it_stands():
     result = restitution.epsilon_t(kappa=63, mu_over_alpha=1.4, gt_over_gn=1.358)
     assert f"{float(result):.5f}"[:6] in example
     assert names["trace"]["time"].size == 408
+
+
+def test_walk_through_the_python_api_runs_as_it_stands():
+    failures, tried = doctest.testfile(str(ROOT / "docs" / "python-walk.md"), module_relative=False)
+    assert tried > 25
+    assert failures == 0
+
+
+def test_citation_names_this_version_and_the_paper():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    assert (
+        citation["version"]
+        == tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["version"]
+    )
+    (paper,) = citation["references"]
+    assert paper["doi"] in (ROOT / "docs" / "references.md").read_text()
+
+
+def test_every_setting_is_documented():
+    guide = (ROOT / "docs" / "deployment.md").read_text()
+    for name in Settings.model_fields:
+        assert f"`RESTITUTION_{name.upper()}`" in guide, name
+
+
+@pytest.mark.parametrize("document", DOCUMENTS, ids=lambda p: p.name)
+def test_links_to_headings_and_elsewhere_are_well_formed(document):
+    text = document.read_text()
+    for name, heading in re.findall(r"\]\(([^):#]*)#([^)]+)\)", text):
+        target = document.parent / name if name else document
+        found = re.findall(r"^#+ (.*)$", target.read_text(), re.MULTILINE)
+        anchors = {re.sub(r"[^\w\- ]", "", h.lower()).replace(" ", "-") for h in found}
+        assert heading in anchors, (name, heading)
+    # nothing here reaches the network: an address elsewhere must at least be one
+    for address in re.findall(r"\]\((https?://[^)]*)\)", text):
+        assert urllib.parse.urlsplit(address).hostname, address
 
 
 @pytest.mark.parametrize("command", re.findall(r"^    (curl .*)$", README, re.MULTILINE))
