@@ -383,7 +383,7 @@ def assert_nothing_overflows(page: Page) -> None:
     assert beyond == []
 
 
-@pytest.mark.parametrize("width", [320, 1440])
+@pytest.mark.parametrize("width", [320, pytest.param(1440, marks=pytest.mark.verify)])
 @pytest.mark.parametrize("kind", BAD_TRANSLATIONS)
 def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, width: int):
     witness = Witness(page, server)
@@ -461,8 +461,8 @@ PLACES = {
 
 
 @pytest.mark.parametrize("place", PLACES)
-@pytest.mark.parametrize("scheme", ["light", "dark"])
-@pytest.mark.parametrize("width", [390, 820, 1440])
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.verify)])
+@pytest.mark.parametrize("width", [390, pytest.param(820, marks=pytest.mark.verify), 1440])
 def test_axe_finds_nothing_to_object_to(
     page: Page, server: str, width: int, scheme: str, place: str
 ):
