@@ -154,7 +154,7 @@ class VelocityMapBody(Labelled):
     impact: NotRequired[Any]
     normal_velocity_m_s: Annotated[VelocityRange, Field(description="min > 0")]
     tangential_velocity_m_s: VelocityRange
-    quantities: NotRequired[Annotated[list[BatchQuantity], Field(min_length=1, max_length=6)]]
+    quantities: NotRequired[Annotated[list[BatchQuantity], Field(min_length=1, max_length=7)]]
     tolerance: NotRequired[Tolerance]
 
 
