@@ -22,6 +22,10 @@ OFF = {
 }
 """Refused unless a setting allows it."""
 
+NESTED = {"POST /api/v1/scaling", "POST /api/v1/scaling/map"}
+"""Twenty random bodies may all miss what must suit each other; the many more of `make verify` do
+not, and examples of both are answered in every run."""
+
 
 def fuzz(server, folder, cases, *options):
     """Return the report of schemathesis with up to `cases` random ones for each operation."""
@@ -60,7 +64,7 @@ def test_service_is_as_described(server, tmp_path):
     found = fuzz(server, tmp_path, 20, "--generation-deterministic")
     assert found["test_cases"]["generated"] >= 500
     # fuzzing that is refused at the door would find nothing behind it
-    assert idle(found, "fuzzing") <= OFF
+    assert idle(found, "fuzzing") <= OFF | NESTED
 
 
 @pytest.mark.verify
