@@ -21,12 +21,13 @@ import pytest
 import uvicorn
 from set_up_nginx import nginx_of_machine
 
+from servers import START_SECONDS, free_port
+
 ROOT = Path(__file__).parents[2]
 TEMPLATE = (ROOT / "deploy" / "nginx.conf.template").read_text(encoding="utf-8")
 NGINX = nginx_of_machine()
 COLLISION = "/api/v1/collision?mu_over_alpha=1.4&gt_over_gn=1.358&quantities=epsilon_t&kappa="
 TRACE = "/api/v1/trace?mu_over_alpha=1.4&gt_over_gn=1.358&kappa="
-START_SECONDS = 60
 CLIENT_SECONDS = 10
 """What the template grants a client for its headers, and between two pieces of a body."""
 
@@ -66,12 +67,6 @@ class Proxy(NamedTuple):
 class Cluster(NamedTuple):
     proxy: Proxy
     processes: list[subprocess.Popen]
-
-
-def free_port() -> int:
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        return int(listener.getsockname()[1])
 
 
 def filled_in(ports: list[int], listen: int, concurrency: int) -> str:

@@ -19,6 +19,7 @@ closed = with_config(ConfigDict(extra="forbid"))
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
 Damping = Annotated[float, Field(ge=0, le=MOST_DAMPING)]
+MAP_LENGTH = Field(min_length=1, max_length=len(QUANTITIES))
 BatchQuantity = Annotated[str, Field(json_schema_extra={"enum": list(QUANTITIES)})]
 Tolerance = Annotated[
     float, Field(ge=1e-13, le=1, description="largest absolute error wanted in ε_t")
@@ -154,7 +155,7 @@ class VelocityMapBody(Labelled):
     impact: NotRequired[Any]
     normal_velocity_m_s: Annotated[VelocityRange, Field(description="min > 0")]
     tangential_velocity_m_s: VelocityRange
-    quantities: NotRequired[Annotated[list[BatchQuantity], Field(min_length=1, max_length=7)]]
+    quantities: NotRequired[Annotated[list[BatchQuantity], MAP_LENGTH]]
     tolerance: NotRequired[Tolerance]
 
 
