@@ -11,7 +11,6 @@ import {
   traceQuery,
 } from "./api/queries.js";
 import { mostSwitches } from "./figures/map-figure.js";
-import { SYMBOLS } from "./format/symbols.js";
 import { mountAccuracyScene } from "./panels/accuracy-scene.js";
 import { mountAccuracyControl } from "./panels/accuracy-control.js";
 import { mountCut } from "./panels/cut.js";
@@ -71,19 +70,7 @@ const accuracyControl = mountAccuracyControl(byTestId("accuracy"), (patch, chang
 });
 const force = mountForceTrace(byTestId("force-trace"));
 const velocity = mountVelocity(byTestId("velocity"));
-const timeCursor = mountTimeCursor(
-  [
-    {
-      panel: find(".force"),
-      columns: [
-        [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
-        [SYMBOLS.normal_force, "normal_force"],
-      ],
-    },
-    { panel: find(".velocity"), columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
-  ],
-  (share) => animation.point(share),
-);
+const timeCursor = mountTimeCursor((share) => animation.point(share));
 const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
 const map = mountMap(find(".map-panel"), { onPlace: changeCollision, onOption: store.set });
 const cut = mountCut(find(".cut-panel"), changeCollision);
@@ -156,11 +143,11 @@ const cuts = createCutLoader({
   onError: explainBy((reason) => cut.withhold(`No cut at this one: ${reason}`)),
 });
 
-/** @type {Parameters<Parameters<typeof createMapLoader<import("./api/client.js").MapGrid>>[0]["onMap"]>[0] | null} */
+/** @type {Parameters<Parameters<typeof createMapLoader<import("./api/answers.js").MapGrid>>[0]["onMap"]>[0] | null} */
 let shownMap = null;
 /** @type {import("./state/collision-load.js").LoadedCollision | null} */
 let shownCollision = null;
-/** @type {{cut: import("./api/client.js").Cut, kappa: number, muOverAlpha: number, view: import("./state/map-view.js").MapView} | null} */
+/** @type {{cut: import("./api/answers.js").Cut, kappa: number, muOverAlpha: number, view: import("./state/map-view.js").MapView} | null} */
 let shownCut = null;
 let presetsAreHere = false;
 let hasPlayed = false;

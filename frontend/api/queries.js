@@ -86,7 +86,7 @@ export function stepsQuery(where, error) {
   return { ...(typeof where === "string" ? { region: where } : collisionQuery(where)), error };
 }
 
-/** What `/cut` is asked. @param {import("./client.js").CutWish} wish */
+/** What `/cut` is asked. @param {import("./answers.js").CutWish} wish */
 export function cutQuery({ kappa, muOverAlpha, view, count }) {
   return {
     along: "gt_over_gn",

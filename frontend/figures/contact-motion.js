@@ -5,7 +5,7 @@ import { regimeOf } from "./regimes.js";
 /**
  * What the picture of a contact needs of a whole trace, worked out once for each.
  * @typedef {object} Motion
- * @property {import("../api/client.js").Trace} trace
+ * @property {import("../api/answers.js").Trace} trace
  * @property {Float64Array} slip how far one surface has slid over the other, at each sample
  * @property {{min: number, max: number}} slipRange
  * @property {number} largestElongation of the spring, to either side
@@ -14,7 +14,7 @@ import { regimeOf } from "./regimes.js";
 /**
  * The slip is what the surfaces have moved, less what the spring has taken up of it; it is summed up
  * from the columns for the drawing only.
- * @param {import("../api/client.js").Trace} trace
+ * @param {import("../api/answers.js").Trace} trace
  * @returns {Motion}
  */
 export function contactMotion(trace) {
@@ -60,7 +60,7 @@ export function stateAt({ trace, slip }, instant) {
 
 /**
  * The regime at an instant; the last one listed where the list is cut off.
- * @param {import("../api/client.js").Episode[]} episodes
+ * @param {import("../api/answers.js").Episode[]} episodes
  * @param {number} instant
  */
 function regimeAt(episodes, instant) {

@@ -150,7 +150,7 @@ function arrowPath(from, by) {
  * @param {number} instant
  * @param {number} ground
  * @param {(slip: number) => number} foot
- * @param {import("../api/client.js").Episode[]} episodes
+ * @param {import("../api/answers.js").Episode[]} episodes
  */
 function tracks(motion, instant, ground, foot, episodes) {
   const step = Math.min(TRACKS.step, (GROUND - TRACKS.first - 5) / Math.max(1, episodes.length));

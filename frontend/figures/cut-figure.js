@@ -7,7 +7,7 @@ import { axisTitle, baseLayout, CUT_MARGIN, innerSize, plainAxis } from "./plot-
 import { shareAxis } from "./share-axis.js";
 
 /**
- * @typedef {import("../api/client.js").Cut} Cut
+ * @typedef {import("../api/answers.js").Cut} Cut
  * @typedef {import("../state/map-view.js").MapView} MapView
  * @typedef {import("./theme.js").Theme} Theme
  * @typedef {{letter: string, kappa: number, psi: number}} Letter a panel of Fig. 5

@@ -18,7 +18,7 @@ const FARTHEST = 2.5;
 
 /**
  * The force trace of Fig. 5: F_t/μ between ±F_n, the regimes shaded, the switches numbered.
- * @param {import("../api/client.js").Trace} trace
+ * @param {import("../api/answers.js").Trace} trace
  * @param {import("./theme.js").Theme} theme
  * @param {import("./plot-area.js").Size} size
  * @returns {import("./plot-area.js").Figure}

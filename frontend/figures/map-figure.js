@@ -8,7 +8,7 @@ import { horizontalName, shareAxis } from "./share-axis.js";
 /**
  * A map and how it is to be seen.
  * @typedef {object} ShownMap
- * @property {import("../api/client.js").MapGrid} grid
+ * @property {import("../api/answers.js").MapGrid} grid
  * @property {import("../state/map-view.js").MapView} view
  * @property {import("../state/map-view.js").HorizontalAxis} horizontal
  * @property {"epsilon_t" | "switches"} quantity

@@ -7,7 +7,7 @@ const MOST_MARKS = 250;
 
 /**
  * The force as a method in time steps has it, over the exact one.
- * @param {{trace: import("../api/client.js").Trace, stepped: import("../api/client.js").Stepped}} subject
+ * @param {{trace: import("../api/answers.js").Trace, stepped: import("../api/answers.js").Stepped}} subject
  * @param {import("./theme.js").Theme} theme
  * @param {import("./plot-area.js").Size} size
  * @returns {import("./plot-area.js").Figure}

@@ -1,7 +1,7 @@
 // @ts-check
 
 /**
- * @typedef {import("../api/client.js").Episode} Episode
+ * @typedef {import("../api/answers.js").Episode} Episode
  * @typedef {import("./theme.js").Theme} Theme
  * @typedef {{base: number, top: number}} Extent on the vertical axis
  */

@@ -19,9 +19,9 @@ const CUT_ROWS = 30;
 const MAP_ROWS = 12;
 const MAP_COLUMNS = 8;
 
-/** @typedef {import("../api/client.js").Trace} Trace */
+/** @typedef {import("../api/answers.js").Trace} Trace */
 
-/** @param {import("../api/client.js").CollisionAnswer} result @returns {Table} */
+/** @param {import("../api/answers.js").CollisionAnswer} result @returns {Table} */
 export function resultTable(result) {
   const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
   const { initial, dissipated } = result.energy;
@@ -109,7 +109,7 @@ function regimeAt({ episodes, contact_duration: duration }, instant) {
 
 /**
  * The cut and its simple laws, at every so many of its points and at the present collision.
- * @param {import("../api/client.js").Cut} cut
+ * @param {import("../api/answers.js").Cut} cut
  * @param {string} along what it runs over: g_t/g_n or ψ
  * @param {number} here the present collision there
  * @param {number} kappa
@@ -135,7 +135,7 @@ export function cutTable(cut, along, here, kappa) {
 
 /**
  * ε_t over the velocities of real spheres, in every so many cells.
- * @param {import("../api/client.js").VelocityMap} map
+ * @param {import("../api/answers.js").VelocityMap} map
  * @returns {Table}
  */
 export function velocityMapTable(map) {
@@ -155,7 +155,7 @@ export function velocityMapTable(map) {
 
 /**
  * ε_t over the tangential velocity of real spheres.
- * @param {import("../api/client.js").VelocityMap} map
+ * @param {import("../api/answers.js").VelocityMap} map
  * @returns {Table}
  */
 export function sphereCutTable({
@@ -178,7 +178,7 @@ export function sphereCutTable({
 
 /**
  * The force at the steps of a method.
- * @param {import("../api/client.js").Stepped} stepped
+ * @param {import("../api/answers.js").Stepped} stepped
  * @returns {Table}
  */
 export function steppedTable({ method_time: time, method_tangential_force_over_mu: force }) {
@@ -192,7 +192,7 @@ export function steppedTable({ method_time: time, method_tangential_force_over_m
 
 /**
  * Every so many cells of the map, and those nearest to the present collision.
- * @param {{grid: import("../api/client.js").MapGrid, quantity: "epsilon_t" | "switches"}} map
+ * @param {{grid: import("../api/answers.js").MapGrid, quantity: "epsilon_t" | "switches"}} map
  * @param {{along: string, here: number, frame: string}} rows what they run over, where the present collision is, and what else holds
  * @param {import("../state/parameters.js").Collision} collision
  * @returns {Table}

@@ -4,7 +4,7 @@ import { ABSENT, percentage, significant } from "../format/number.js";
 
 /**
  * All that was measured in a region.
- * @param {import("../api/client.js").Tradeoff} tradeoff
+ * @param {import("../api/answers.js").Tradeoff} tradeoff
  * @returns {import("./tables.js").Table}
  */
 export function tradeoffTable({ rows, machine, measured_at: measuredAt }) {

@@ -13,7 +13,7 @@ const LONGEST_REACH = 8e307;
 
 /**
  * The tangential velocity of Fig. 6 over the contact, with its turns marked.
- * @param {import("../api/client.js").Trace} trace
+ * @param {import("../api/answers.js").Trace} trace
  * @param {import("./theme.js").Theme} theme
  * @param {import("./plot-area.js").Size} size
  * @param {boolean} [withEnergy] whether the share of the energy that is left is drawn too
@@ -86,7 +86,7 @@ export function velocityFigure(trace, theme, size, withEnergy = false) {
 
 /**
  * The tangential energy as a share of that at the beginning, which lies at the top of the axis.
- * @param {import("../api/client.js").Trace} trace
+ * @param {import("../api/answers.js").Trace} trace
  * @param {number} reach
  * @param {import("./theme.js").Theme} theme
  */
@@ -140,7 +140,7 @@ function roundedUp(value) {
 /**
  * The instants at which the surfaces turn round, or none: where two lie between neighbouring samples
  * the number would be wrong, and where they are many the marks would be a smear.
- * @param {import("../api/client.js").Trace} trace
+ * @param {import("../api/answers.js").Trace} trace
  * @param {number} width of the plot in pixels of the design
  */
 function turnsShown({ time, tangential_velocity: velocity, reversals }, width) {

@@ -13,11 +13,11 @@ import { mountTradeoff } from "./tradeoff.js";
 
 /**
  * @typedef {import("../state/url.js").PageState} PageState
- * @typedef {import("../api/client.js").Trace} Trace
- * @typedef {import("../api/client.js").Tradeoff} Tradeoff
- * @typedef {import("../api/client.js").StepsAnswer} StepsAnswer
- * @typedef {import("../api/client.js").Stepped} Stepped
- * @typedef {import("../api/client.js").Run} Run
+ * @typedef {import("../api/answers.js").Trace} Trace
+ * @typedef {import("../api/answers.js").Tradeoff} Tradeoff
+ * @typedef {import("../api/answers.js").StepsAnswer} StepsAnswer
+ * @typedef {import("../api/answers.js").Stepped} Stepped
+ * @typedef {import("../api/answers.js").Run} Run
  * @typedef {import("../state/error-map-loader.js").ErrorMapWish} ErrorMapWish
  */
 

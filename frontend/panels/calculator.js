@@ -6,7 +6,7 @@ import { REGIONS, WANTED_ERRORS } from "../state/tradeoff-options.js";
 import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
 
-/** @typedef {import("../api/client.js").StepsAnswer} StepsAnswer */
+/** @typedef {import("../api/answers.js").StepsAnswer} StepsAnswer */
 
 /**
  * The steps per contact that a wanted error takes, for the present collision and for a region.

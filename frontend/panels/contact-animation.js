@@ -162,7 +162,7 @@ export function mountContactAnimation(element, { onShare }) {
   onShare(TELLING_SHARE);
 
   return {
-    /** @param {import("../api/client.js").Trace} trace */
+    /** @param {import("../api/answers.js").Trace} trace */
     show(trace) {
       motion = contactMotion(trace);
       stage.removeAttribute("data-withheld");

@@ -107,7 +107,7 @@ export function mountCut(element, onPlace) {
     /** @param {string} reason */
     withhold: (reason) => withhold(stage, reason),
 
-    /** @param {import("../api/client.js").Preset[]} presets among which the letters of Fig. 5 are */
+    /** @param {import("../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {
       letters = presets.flatMap((preset) => {
         const letter = letterOf(preset);

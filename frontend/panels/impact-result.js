@@ -28,7 +28,7 @@ export function createImpactResult(element) {
   }
 
   return {
-    /** @param {import("../api/client.js").Scaling} scaling */
+    /** @param {import("../api/answers.js").Scaling} scaling */
     show(scaling) {
       typeset(refusal, "");
       list.hidden = false;
@@ -55,7 +55,7 @@ export function createImpactResult(element) {
 }
 
 /**
- * @param {import("../api/client.js").Scaling} scaling
+ * @param {import("../api/answers.js").Scaling} scaling
  * @returns {[string, string][]}
  */
 function rowsOf(scaling) {

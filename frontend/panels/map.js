@@ -28,7 +28,7 @@ export function mountMap(element, { onPlace, onOption }) {
   /** @type {import("../figures/map-figure.js").ShownMap | null} */
   let shown = null;
   let chosen = "";
-  /** @type {import("../api/client.js").CollisionAnswer | null} */
+  /** @type {import("../api/answers.js").CollisionAnswer | null} */
   let settled = null;
 
   function pointSurface() {
@@ -100,7 +100,7 @@ export function mountMap(element, { onPlace, onOption }) {
 
     /**
      * What the server says of the present collision.
-     * @param {import("../api/client.js").CollisionAnswer} result
+     * @param {import("../api/answers.js").CollisionAnswer} result
      * @param {boolean} dragging
      */
     settle(result, dragging) {

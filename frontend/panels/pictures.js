@@ -25,20 +25,20 @@ import { mountPictureMenu } from "./picture-menu.js";
 /**
  * What the panels show at the moment.
  * @typedef {object} Shown
- * @property {import("../api/client.js").CollisionAnswer | null} result
- * @property {import("../api/client.js").Trace | null} trace
- * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} map
- * @property {import("../api/client.js").Tradeoff | null} tradeoff
+ * @property {import("../api/answers.js").CollisionAnswer | null} result
+ * @property {import("../api/answers.js").Trace | null} trace
+ * @property {{grid: import("../api/answers.js").MapGrid, view: import("../state/map-view.js").MapView} | null} map
+ * @property {import("../api/answers.js").Tradeoff | null} tradeoff
  * @property {import("../figures/collapse-figure.js").FrictionCurve[] | null} collapse
  * @property {import("../figures/stiff-law-figure.js").StiffCut[] | null} stiffLaw
  * @property {import("../figures/switch-law-figure.js").SwitchLaw | null} switchLaw
  * @property {{errors: Float64Array[], wish: import("../state/error-map-loader.js").ErrorMapWish} | null} errors
- * @property {import("../api/client.js").Stepped | null} stepped
- * @property {import("../api/client.js").Scaling | null} scaling
- * @property {import("../api/client.js").VelocityMap | null} velocities
- * @property {import("../api/client.js").VelocityMap | null} sphereCut
- * @property {{grid: import("../api/client.js").MapGrid, view: import("../state/map-view.js").MapView} | null} place
- * @property {{cut: import("../api/client.js").Cut, kappa: number, view: import("../state/map-view.js").MapView} | null} cut
+ * @property {import("../api/answers.js").Stepped | null} stepped
+ * @property {import("../api/answers.js").Scaling | null} scaling
+ * @property {import("../api/answers.js").VelocityMap | null} velocities
+ * @property {import("../api/answers.js").VelocityMap | null} sphereCut
+ * @property {{grid: import("../api/answers.js").MapGrid, view: import("../state/map-view.js").MapView} | null} place
+ * @property {{cut: import("../api/answers.js").Cut, kappa: number, view: import("../state/map-view.js").MapView} | null} cut
  */
 
 /** @typedef {import("../state/parameters.js").Collision} Collision */
@@ -54,7 +54,7 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {(collision: Collision) => Record<string, string>} page.queries.collision
  * @param {(collision: Collision) => Record<string, string>} page.queries.trace
  * @param {(muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: typeof FULL_MAP) => Record<string, string>} page.queries.map
- * @param {(wish: import("../api/client.js").CutWish) => Record<string, string>} page.queries.cut
+ * @param {(wish: import("../api/answers.js").CutWish) => Record<string, string>} page.queries.cut
  * @param {(wish: import("../state/error-map-loader.js").ErrorMapWish) => Record<string, string>} page.queries.errorMap
  * @param {(collision: Collision, accuracy: Record<string, string>) => Record<string, string>} page.queries.stepped
  * @param {() => Record<string, string>[]} page.queries.collapse

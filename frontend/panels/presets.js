@@ -4,7 +4,7 @@ import { isAt } from "../state/url.js";
 import { byTestId } from "./find.js";
 import { typeset } from "./typeset.js";
 
-/** @typedef {import("../api/client.js").Preset} Preset */
+/** @typedef {import("../api/answers.js").Preset} Preset */
 
 /**
  * The presets, figures of the paper among them: the letters of Fig. 5 in a row of their own, the others as they come.

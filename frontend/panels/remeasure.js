@@ -2,7 +2,7 @@
 
 import { byTestId, find } from "./find.js";
 
-/** @typedef {import("../api/client.js").Run} Run */
+/** @typedef {import("../api/answers.js").Run} Run */
 
 /** Between two looks at how far it is, in ms. */
 const PAUSE = 400;

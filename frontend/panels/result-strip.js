@@ -50,7 +50,7 @@ export function mountResultStrip(element) {
     },
 
     /**
-     * @param {import("../api/client.js").CollisionAnswer} result
+     * @param {import("../api/answers.js").CollisionAnswer} result
      * @param {boolean} dragging a screen reader is told the sentence only when this is over
      * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
      */

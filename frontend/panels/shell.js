@@ -103,7 +103,7 @@ export function mountShell({ present, onOption }) {
       }
     },
 
-    /** The line under a single panel. @param {import("../api/client.js").CollisionAnswer} result */
+    /** The line under a single panel. @param {import("../api/answers.js").CollisionAnswer} result */
     caption({ parameters, epsilon_t: epsilon }) {
       // The results beyond the paper are not of this collision.
       if (root.dataset.embed && root.dataset.shown !== "paper") {

@@ -20,9 +20,9 @@ import { withhold } from "./withhold.js";
  * @typedef {import("../state/url.js").PageState} PageState
  * @typedef {import("../state/impact.js").Impact} Impact
  * @typedef {import("../state/impact.js").Material} Material
- * @typedef {import("../api/client.js").Scaling} Scaling
- * @typedef {import("../api/client.js").VelocityMap} VelocityMap
- * @typedef {import("../api/client.js").MapGrid} MapGrid
+ * @typedef {import("../api/answers.js").Scaling} Scaling
+ * @typedef {import("../api/answers.js").VelocityMap} VelocityMap
+ * @typedef {import("../api/answers.js").MapGrid} MapGrid
  * @typedef {import("../state/map-view.js").MapView} MapView
  * @typedef {{map: VelocityMap, view: ReturnType<typeof velocityView>}} ShownVelocities
  * @typedef {{dragging: boolean, inputTimeStamp: number}} Change

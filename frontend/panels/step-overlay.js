@@ -18,7 +18,7 @@ export function mountStepOverlay(element, onAccuracy) {
   const plot = createPlot(plotElement, overlayFigure);
   const stage = find(".plot-stage", element);
   const name = byTestId("overlay-name", element);
-  /** @type {import("../api/client.js").Stepped | null} */
+  /** @type {import("../api/answers.js").Stepped | null} */
   let shown = null;
   const integrators = /** @type {HTMLSelectElement} */ (byTestId("integrator", element));
   integrators.append(...INTEGRATORS.map(({ id, title }) => new Option(title, id)));
@@ -34,8 +34,8 @@ export function mountStepOverlay(element, onAccuracy) {
     },
 
     /**
-     * @param {import("../api/client.js").Trace} trace
-     * @param {import("../api/client.js").Stepped} stepped of the same collision
+     * @param {import("../api/answers.js").Trace} trace
+     * @param {import("../api/answers.js").Stepped} stepped of the same collision
      */
     show(trace, stepped) {
       shown = stepped;

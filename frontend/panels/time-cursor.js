@@ -2,25 +2,35 @@
 
 import { TRACE_MARGIN } from "../figures/plot-area.js";
 import { significant } from "../format/number.js";
+import { SYMBOLS } from "../format/symbols.js";
 import { find } from "./find.js";
 import { layOver } from "./overlay.js";
 
+/** @typedef {import("../api/answers.js").Trace} Trace */
+
 /**
- * @typedef {import("../api/client.js").Trace} Trace
- * @typedef {object} View one plot over time and the line that reads it
- * @property {HTMLElement} panel
- * @property {[symbol: string, column: "normal_force" | "tangential_force_over_mu" | "tangential_velocity"][]} columns
+ * The plots over time and what is read in them: symbols and columns.
+ * @type {{panel: string, columns: [string, "normal_force" | "tangential_force_over_mu" | "tangential_velocity"][]}[]}
  */
+const VIEWS = [
+  {
+    panel: ".force",
+    columns: [
+      [SYMBOLS.tangential_force_over_mu, "tangential_force_over_mu"],
+      [SYMBOLS.normal_force, "normal_force"],
+    ],
+  },
+  { panel: ".velocity", columns: [[SYMBOLS.gt_over_gn, "tangential_velocity"]] },
+];
 
 /**
  * One instant of the contact, under the pointer, marked and read in every plot over time.
  * Where no pointer is, the instant of the contact's animation is marked, without its readings.
- * @param {View[]} views
  * @param {(share: number) => void} onPoint told where the pointer is
  */
-export function mountTimeCursor(views, onPoint) {
-  const cursors = views.map(({ panel }) => find(".time-cursor", panel));
-  const readings = views.map(({ panel }) => find(".reading", panel));
+export function mountTimeCursor(onPoint) {
+  const cursors = VIEWS.map(({ panel }) => find(".time-cursor", find(panel)));
+  const readings = VIEWS.map(({ panel }) => find(".reading", find(panel)));
   /** @type {Trace | null} */
   let trace = null;
   /** @type {number | null} share of the contact, 0 … 1 */
@@ -57,7 +67,7 @@ export function mountTimeCursor(views, onPoint) {
       cursor.toggleAttribute("data-read", share !== null);
       cursor.toggleAttribute("data-late", place > 0.55);
       if (share !== null) {
-        readings[k].innerHTML = reading(trace, sample, views[k]);
+        readings[k].innerHTML = reading(trace, sample, VIEWS[k]);
       }
     }
   }
@@ -82,7 +92,7 @@ export function mountTimeCursor(views, onPoint) {
 /**
  * @param {Trace} trace
  * @param {number} sample
- * @param {View} view
+ * @param {typeof VIEWS[number]} view
  */
 function reading(trace, sample, { columns }) {
   const values = columns.map(

@@ -14,7 +14,7 @@ export function mountForceTrace(element) {
   const plot = createTracePlot(element, forceFigure);
   return {
     ...plot,
-    /** @param {import("../api/client.js").Trace} trace */
+    /** @param {import("../api/answers.js").Trace} trace */
     describe(trace) {
       element.setAttribute(
         "aria-label",
@@ -39,7 +39,7 @@ export function mountVelocity(element) {
     showEnergy(wanted) {
       withEnergy = wanted;
     },
-    /** @param {import("../api/client.js").Trace} trace */
+    /** @param {import("../api/answers.js").Trace} trace */
     describe(trace) {
       const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
       element.setAttribute(
@@ -61,7 +61,7 @@ function createTracePlot(element, makeFigure) {
 
   return {
     /**
-     * @param {import("../api/client.js").Trace} trace
+     * @param {import("../api/answers.js").Trace} trace
      * @param {boolean} dragging
      */
     show(trace, dragging) {

@@ -10,7 +10,7 @@ import { currentTheme, onThemeChange } from "./theme.js";
 
 /**
  * @typedef {import("../figures/tradeoff-figure.js").Row} Row
- * @typedef {import("../api/client.js").Tradeoff} Tradeoff
+ * @typedef {import("../api/answers.js").Tradeoff} Tradeoff
  * @typedef {import("../state/url.js").PageState} PageState
  */
 

@@ -12,8 +12,8 @@ import { onThemeChange } from "./theme.js";
 import { withhold } from "./withhold.js";
 
 /**
- * @typedef {import("../api/client.js").Scaling} Scaling
- * @typedef {import("../api/client.js").VelocityMap} VelocityMap
+ * @typedef {import("../api/answers.js").Scaling} Scaling
+ * @typedef {import("../api/answers.js").VelocityMap} VelocityMap
  * @typedef {ReturnType<typeof import("../state/impact.js").velocityView>} VelocityView
  * @typedef {import("../state/url.js").PageState} PageState
  */

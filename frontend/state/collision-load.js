@@ -5,8 +5,8 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
 
 /**
  * @typedef {import("./parameters.js").Collision} Collision
- * @typedef {import("../api/client.js").CollisionAnswer} CollisionAnswer
- * @typedef {import("../api/client.js").Trace} Trace
+ * @typedef {import("../api/answers.js").CollisionAnswer} CollisionAnswer
+ * @typedef {import("../api/answers.js").Trace} Trace
  */
 
 /**
@@ -30,7 +30,7 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
  * @param {object} server
  * @param {(collision: Collision, signal: AbortSignal) => Promise<CollisionAnswer>} server.collision
  * @param {(collision: Collision, signal: AbortSignal) => Promise<Trace>} server.trace
- * @param {(collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/client.js").Answer>} server.answer
+ * @param {(collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/answers.js").Answer>} server.answer
  */
 export function createCollisionLoad(server) {
   /**

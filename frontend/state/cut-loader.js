@@ -3,7 +3,7 @@
 import { createLatest } from "./latest.js";
 import { axesMuOverAlpha, heldView, mapView, sameView } from "./map-view.js";
 
-/** @typedef {import("../api/client.js").CutWish} CutWish */
+/** @typedef {import("../api/answers.js").CutWish} CutWish */
 
 /** Points along the cut. */
 export const FULL_CUT = 800;

@@ -13,8 +13,8 @@ import { sameCollision, SOLID_ALPHA } from "./parameters.js";
  * What a goal is judged by: the answers of the server to the present collision.
  * @typedef {object} Seen
  * @property {PageState} state
- * @property {import("../api/client.js").CollisionAnswer} exact
- * @property {import("../api/client.js").CollisionAnswer} shown with ε_t as the chosen method has it
+ * @property {import("../api/answers.js").CollisionAnswer} exact
+ * @property {import("../api/answers.js").CollisionAnswer} shown with ε_t as the chosen method has it
  */
 
 /**

@@ -13,7 +13,7 @@
  * the switches change, and is read between the cells: on the usual map with a median error of 0.001,
  * and of up to 0.2 in its first column, where κ doubles from one cell to the next.
  *
- * @param {{grid: import("../api/client.js").MapGrid, muOverAlpha: number, view: {damping: number}}} map
+ * @param {{grid: import("../api/answers.js").MapGrid, muOverAlpha: number, view: {damping: number}}} map
  * @param {import("./parameters.js").Collision} collision
  * @returns {MapReading | null} null beyond the map, and for another damping
  */

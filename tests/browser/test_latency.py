@@ -9,6 +9,9 @@ from playwright.sync_api import Page
 
 pytestmark = pytest.mark.browser
 
+LONG = pytest.mark.verify
+"""Every control takes minutes; in each run some stand for the others."""
+
 RECORD = """() => {
   window.recorded = [];
   addEventListener("restitution:painted", (event) => window.recorded.push(event.detail));
@@ -86,7 +89,15 @@ def summary(times: list[float]) -> str:
     return f"median {statistics.median(times):5.1f} ms, p95 {p95:5.1f} ms of {len(times)}"
 
 
-@pytest.mark.parametrize("name", ["kappa", "mu-over-alpha", "gt-over-gn", "damping"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "kappa",
+        pytest.param("mu-over-alpha", marks=LONG),
+        pytest.param("gt-over-gn", marks=LONG),
+        "damping",
+    ],
+)
 def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str, capsys):
     page.goto("/")
     settle(page, server)
@@ -104,7 +115,15 @@ def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str
 
 
 @pytest.mark.parametrize("delay", [0, 100, 500])
-@pytest.mark.parametrize("name", ["kappa", "mu-over-alpha", "gt-over-gn", "map"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param("kappa", marks=LONG),
+        "mu-over-alpha",
+        pytest.param("gt-over-gn", marks=LONG),
+        pytest.param("map", marks=LONG),
+    ],
+)
 def test_strip_and_crosshair_follow_at_once_over_a_slow_network(
     page: Page, server: str, name: str, delay: int, capsys
 ):
@@ -138,10 +157,17 @@ def test_strip_and_crosshair_follow_at_once_over_a_slow_network(
 
 
 SPHERES_CONTROLS = ["normal-velocity-m-s", "tangential-velocity-m-s", "radius-m", "crosshair"]
+EVERY_DAY = {("steel", "radius-m"), ("alumina-on-glass", "crosshair")}
 
 
-@pytest.mark.parametrize("name", SPHERES_CONTROLS)
-@pytest.mark.parametrize("material", ["steel", "alumina-on-glass"])
+@pytest.mark.parametrize(
+    ("material", "name"),
+    [
+        pytest.param(material, name, marks=() if (material, name) in EVERY_DAY else LONG)
+        for material in ("steel", "alumina-on-glass")
+        for name in SPHERES_CONTROLS
+    ],
+)
 def test_impact_and_cut_follow_a_drag_of_real_spheres(
     page: Page, server: str, material: str, name: str, capsys
 ):

@@ -4,6 +4,8 @@ import urllib.parse
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import restitution
 from restitution.errors import CostError, ParameterError
@@ -11,22 +13,14 @@ from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
 from restitution.studies.batch import study_batch
 from restitution.studies.bodies import Sphere
-from restitution.studies.collision import study_collision
+from restitution.studies.collision import QUANTITIES, study_collision
 from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
-from restitution.studies.parameters import CollisionParameters, scaled_velocity
+from restitution.studies.parameters import CollisionParameters
 from restitution.studies.presets import PRESETS
 from restitution.studies.scaling import Contact
 from restitution.studies.spheres import Velocities, study_scaling
 from restitution.studies.trace import study_trace
-
-
-def test_scaled_velocity_is_formed_at_the_edges_of_the_double_range():
-    assert scaled_velocity(0.0, 0.0) == np.inf
-    assert scaled_velocity(1.0, 0.0) == 0.0
-    assert scaled_velocity(1e-300, 1e300) == np.inf
-    assert scaled_velocity(1e300, 1e-300) == 5e-324
-    assert scaled_velocity(5e-324, 5e-324) == 1.0
 
 
 def test_trace_ends_with_epsilon_t_and_obeys_newton():
@@ -62,6 +56,22 @@ def test_trace_without_friction_or_without_slip_is_trivial(friction, tangential,
         study.columns["tangential_force_over_mu"], force * study.columns["normal_force"]
     )
     assert study.switch_times.size == 0
+
+
+@given(
+    st.floats(0, exclude_min=True, allow_infinity=False),
+    st.floats(0, exclude_min=True, allow_infinity=False),
+    st.one_of(st.just(0.0), st.floats(1e-300, 1.5)),
+)
+def test_collision_with_its_episodes_is_that_without(kappa, gt_over_gn, damping):
+    """The first is solved by the motion that has the episodes, the second as one of many."""
+    parameters = CollisionParameters(kappa, 1.0, gt_over_gn, damping)
+    named = ("epsilon_t", "error_bound", "switches", "switches_certain", "method", "tolerance_met")
+    one, other = (
+        [getattr(study_collision(parameters, quantities=wanted), name) for name in named]
+        for wanted in (QUANTITIES, ("epsilon_t", "switches"))
+    )
+    assert one == other
 
 
 def test_trace_of_too_many_switches_is_refused():

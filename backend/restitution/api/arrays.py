@@ -1,7 +1,6 @@
 """Numbers, lists and typed arrays in the body of a request."""
 
 import asyncio
-import base64
 import binascii
 import json
 import math
@@ -13,6 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import orjson
+import pybase64
 from fastapi import Request
 from starlette.exceptions import HTTPException
 
@@ -203,7 +203,7 @@ def _decoded(value: dict[str, Any]) -> FloatArray | None:
     if not isinstance(data, str) or not isinstance(shape, str | int | None):
         return None
     try:
-        raw = base64.b64decode(data, validate=True)
+        raw = pybase64.b64decode(data, validate=True)
         array = np.frombuffer(raw, f"<{dtype}").astype(np.float64)
     except (binascii.Error, ValueError):
         return None

@@ -12,8 +12,8 @@ from starlette.requests import ClientDisconnect
 from starlette.routing import Match
 
 from restitution.api.admission import RETRY_AFTER, SaturatedError
+from restitution.api.fields import REQUIREMENTS
 from restitution.api.metrics import REFUSED
-from restitution.api.schemas import REQUIREMENTS
 from restitution.errors import CostError, ParameterError
 from restitution.interruption import InterruptionError
 

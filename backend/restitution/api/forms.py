@@ -1,6 +1,5 @@
 """The forms of an answer: JSON, JSON with base64 arrays, CSV, NPZ; and its HTTP headers."""
 
-import binascii
 import dataclasses
 import functools
 import hashlib
@@ -15,6 +14,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 import orjson
+import pybase64
 from fastapi import Request, Response
 from starlette.responses import StreamingResponse
 
@@ -196,7 +196,7 @@ def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
             ord(values.dtype.kind),
             values.dtype.itemsize,
             shape.encode(),
-            binascii.b2a_base64(little.data, newline=False),
+            pybase64.b64encode(little.data),
         )
     )
 

@@ -1,18 +1,24 @@
-"""What a request may say: names, ranges, and the words in which a refusal states them."""
+"""What a request may say, call by call."""
 
 import functools
 from typing import Annotated, Any, ClassVar, Literal, get_args
 
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    ConfigDict,
-    Field,
-    field_validator,
-    model_validator,
-)
+from pydantic import Field, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
+from restitution.api.fields import (
+    REQUIREMENTS,
+    Closed,
+    Damping,
+    Finite,
+    GtOverGn,
+    Kappa,
+    MuOverAlpha,
+    choice,
+    one_of,
+    stated,
+    words,
+)
 from restitution.api.ranges import CUT, table_scales
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.methods.answer import Options
@@ -26,71 +32,6 @@ Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Scale = Literal["linear", "log"]
 
 TABLE_FORMATS = ("csv", "npz", "c", "python")
-
-REQUIREMENTS: dict[str, str] = {}
-"""Parameter → what holds for allowed values, filled by `stated`."""
-
-
-def stated(name: str, requirement: str, meaning: str = "", **bounds: Any) -> Any:
-    """Return a pydantic field whose description and refusals say the same."""
-    REQUIREMENTS[name] = requirement
-    return Field(description=f"{meaning}: {requirement}" if meaning else requirement, **bounds)
-
-
-def _words(allowed: tuple[str, ...]) -> AfterValidator:
-    """Return a validator of a comma-separated choice of `allowed`."""
-
-    def check(text: str) -> str:
-        if not set(text.split(",")) <= set(allowed):
-            raise PydanticCustomError("words", "not a choice", {"allowed": ", ".join(allowed)})
-        return text
-
-    return AfterValidator(check)
-
-
-def _one_of(allowed: tuple[str, ...]) -> AfterValidator:
-    """Return a validator of one of the words `allowed`, where calls differ in what they allow."""
-
-    def check(text: str) -> str:
-        if text not in allowed:
-            raise PydanticCustomError("word", "not allowed", {"allowed": ", ".join(allowed)})
-        return text
-
-    return AfterValidator(check)
-
-
-def _choice(allowed: tuple[str, ...]) -> Any:
-    """Return a pydantic field that describes a comma-separated choice of `allowed`."""
-    word = f"({'|'.join(allowed)})"
-    return Field(
-        description=f"a comma-separated choice of {', '.join(allowed)}",
-        # the validator refuses with better words than a pattern of pydantic's would
-        json_schema_extra={"pattern": f"^{word}(,{word})*$"},
-    )
-
-
-Finite = Annotated[float, Field(allow_inf_nan=False)]
-Kappa = Annotated[Finite, stated("kappa", "finite and > 0", "κ of Eq. 24, with α in it", gt=0)]
-MuOverAlpha = Annotated[Finite, stated("mu_over_alpha", "finite and ≥ 0", "μ/α", ge=0)]
-GtOverGn = Annotated[Finite, stated("gt_over_gn", "finite and ≥ 0", "g_t/g_n", ge=0)]
-Damping = Annotated[
-    Finite,
-    stated("damping", f"from 0 to {MOST_DAMPING:g}", "η = (3/2) A β^{2/5} g_n^{1/5}"),
-    Field(ge=0, le=MOST_DAMPING),
-]
-
-
-class Closed(BaseModel):
-    """Parameters beside which there are no others."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    @field_validator("*")
-    @classmethod
-    def _without_sign_of_zero(cls, value: object) -> object:
-        """Make −0 the 0 that it equals, in answers and in ETags."""
-        # not a part of `Finite`: bounds around it would be lost in its JSON Schema
-        return value + 0.0 if isinstance(value, float) else value
 
 
 class Request(Closed):
@@ -173,7 +114,7 @@ class CollisionQuery(Formed):
     episode_limit: Annotated[
         int, stated("episode_limit", "an integer from 0 to 10,000"), Field(ge=0, le=10_000)
     ] = 200
-    quantities: Annotated[str, _words(collision.QUANTITIES), _choice(collision.QUANTITIES)] = (
+    quantities: Annotated[str, words(collision.QUANTITIES), choice(collision.QUANTITIES)] = (
         ",".join(collision.QUANTITIES)
     )
 
@@ -194,12 +135,12 @@ class TraceQuery(CollisionQuery):
     samples: Annotated[
         int, stated("samples", "an integer from 2 to 20,000"), Field(ge=2, le=20_000)
     ] = 400
-    quantities: Annotated[str, _words(trace.COLUMNS), _choice(trace.COLUMNS)] = ",".join(
+    quantities: Annotated[str, words(trace.COLUMNS), choice(trace.COLUMNS)] = ",".join(
         trace.COLUMNS
     )
 
 
-BatchQuantities = Annotated[str, _words(batch.QUANTITIES), _choice(batch.QUANTITIES)]
+BatchQuantities = Annotated[str, words(batch.QUANTITIES), choice(batch.QUANTITIES)]
 
 
 class CutQuery(Formed):
@@ -311,7 +252,7 @@ class TableQuery(Closed):
     sign: Annotated[Literal["paper", "reversed"], stated("sign", "paper or reversed")] = "paper"
     format: Annotated[
         str,
-        _one_of(TABLE_FORMATS),
+        one_of(TABLE_FORMATS),
         Field(
             description=f"one of {', '.join(TABLE_FORMATS)}",
             json_schema_extra={"enum": list(TABLE_FORMATS)},
@@ -395,7 +336,7 @@ class NoQuery(Closed):
 
 
 ManyQuantity = Literal["epsilon_t", "epsilon_n", "switches"]
-_MANY: tuple[ManyQuantity, ...] = get_args(ManyQuantity)
+_MANY: list[ManyQuantity] = list(get_args(ManyQuantity))
 REQUIREMENTS["quantities[]"] = f"one of {', '.join(_MANY)}"
 
 
@@ -407,7 +348,7 @@ class CollisionsBody(Request):
         stated("quantities", f"a list, not empty, of {', '.join(_MANY)}"),
         # also keeps a list of a million words from being read to its end
         Field(min_length=1, max_length=len(_MANY)),
-    ] = list(_MANY)
+    ] = _MANY
 
     @field_validator("tolerance", "steps", "phase", "rtol", "floor", mode="before")
     @classmethod

@@ -3,6 +3,8 @@
 Every function broadcasts. κ is that of Eq. 24, with α in it; ψ = (α/μ)(g_t/g_n).
 """
 
+from collections.abc import Callable
+
 import numpy as np
 import numpy.typing as npt
 
@@ -25,10 +27,29 @@ GEAR_WHEEL_STIFFNESS = (np.pi / CONTACT_DURATION) ** 2
 """Smallest κ with ε_t = −1 for ψ → 0: half a swing of the spring lasts as long as the contact."""
 
 
+def _broadcast(kernel: Callable[..., None], *arguments: npt.ArrayLike) -> FloatArray:
+    """Return what `kernel` fills its last argument (N,) with, in the common shape of the others."""
+    arrays = np.broadcast_arrays(*(np.asarray(a, dtype=float) for a in arguments))
+    values = np.empty(arrays[0].size)
+    # copies, for numba warns of arrays that were broadcast
+    kernel(*(np.array(array, order="C").ravel() for array in arrays), values)
+    return values.reshape(arrays[0].shape)
+
+
+@compiled
+def _sliding(psi: float, epsilon_n: float) -> float:
+    return 1.0 - (1.0 + epsilon_n) / psi
+
+
+@compiled
+def _sliding_each(psi: FloatArray, epsilon_n: FloatArray, epsilon_t: FloatArray) -> None:
+    for i in range(psi.size):
+        epsilon_t[i] = _sliding(psi[i], epsilon_n[i])
+
+
 def sliding_restitution(psi: npt.ArrayLike, epsilon_n: npt.ArrayLike = 1.0) -> FloatArray:
     """Return ε_t of a contact that slides throughout, 1 − (1 + ε_n)/ψ (Eq. 15)."""
-    with np.errstate(over="ignore"):
-        return np.asarray(1.0 - (1.0 + np.asarray(epsilon_n)) / np.asarray(psi, dtype=float))
+    return _broadcast(_sliding_each, psi, epsilon_n)
 
 
 def coulomb_restitution(
@@ -62,10 +83,7 @@ def sliding_threshold(kappa: npt.ArrayLike) -> FloatArray:
     2 for κ ≥ 0.570102; below, the largest 1 − ẋ + (3/2κ)√x ẋ of the compression, which tends to
     1.0318/κ for κ → 0 (infinite where that overflows). The paper's vertical line in Fig. 4.
     """
-    kappas = np.asarray(kappa, dtype=float)
-    threshold = np.empty(kappas.size)
-    _sliding_thresholds(np.ravel(kappas), threshold)
-    return threshold.reshape(kappas.shape)
+    return _broadcast(_sliding_thresholds, kappa)
 
 
 def weak_limit(kappa: npt.ArrayLike) -> FloatArray:
@@ -82,9 +100,14 @@ def soft_limit(kappa: npt.ArrayLike) -> FloatArray:
 
 
 @compiled
+def _bound(kappa: float, psi: float) -> float:
+    return _stiff_bound(kappa, psi) if psi < 2.0 else np.nan
+
+
+@compiled
 def _stiff_bounds(kappa: FloatArray, psi: FloatArray, bound: FloatArray) -> None:
     for i in range(kappa.size):
-        bound[i] = _stiff_bound(kappa[i], psi[i]) if psi[i] < 2.0 else np.nan
+        bound[i] = _bound(kappa[i], psi[i])
 
 
 def stiff_bound(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
@@ -95,10 +118,7 @@ def stiff_bound(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
     Once the surfaces have stopped, the energy is at most that of the spring at the largest cap
     (Eq. 25). The paper's Eq. 27 has 1 for (5/4)^{3/5} = x_max^{3/2} and is exceeded by 12 %.
     """
-    kappas, psis = np.broadcast_arrays(np.asarray(kappa, dtype=float), np.asarray(psi, dtype=float))
-    bound = np.empty(kappas.size)
-    _stiff_bounds(np.ravel(kappas), np.ravel(psis), bound)
-    return bound.reshape(kappas.shape)
+    return _broadcast(_stiff_bounds, kappa, psi)
 
 
 @compiled
@@ -133,17 +153,31 @@ def stiff_estimate(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
         return np.asarray(1.0 / np.sqrt(np.asarray(kappa, dtype=float)) / np.asarray(psi))
 
 
+@compiled
+def _asymptote(kappa: float, psi: float) -> float:
+    half_power = kappa**-0.625
+    # in two halves, between which a small ψ makes up for a large κ
+    return STIFF_ASYMPTOTE * half_power / psi * half_power if psi < 2.0 else np.nan
+
+
+@compiled
+def _asymptotes(kappa: FloatArray, psi: FloatArray, asymptote: FloatArray) -> None:
+    for i in range(kappa.size):
+        asymptote[i] = _asymptote(kappa[i], psi[i])
+
+
 def stiff_asymptote(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
     """Return the largest |ε_t| for κ → ∞, 4.4848 κ^{-5/4}/ψ; NaN for ψ ≥ 2.
 
     The last free swing ends about 1/√κ before the contact does.
     """
-    psis = np.asarray(psi, dtype=float)
-    half_power = np.asarray(kappa, dtype=float) ** -0.625
-    with np.errstate(over="ignore", divide="ignore"):
-        # in two halves, between which a small ψ makes up for a large κ
-        largest: FloatArray = STIFF_ASYMPTOTE * half_power / psis * half_power
-    return np.where(psis < 2.0, largest, np.nan)
+    return _broadcast(_asymptotes, kappa, psi)
+
+
+@compiled
+def simple_laws(kappa: float, psi: float, epsilon_n: float) -> tuple[float, float, float]:
+    """Return `coulomb_restitution`, `stiff_bound` and `stiff_asymptote` of one collision."""
+    return max(0.0, _sliding(psi, epsilon_n)), _bound(kappa, psi), _asymptote(kappa, psi)
 
 
 def largest_switch_count(kappa: npt.ArrayLike) -> FloatArray:

@@ -164,6 +164,22 @@ def motion(
 
 
 @compiled
+def instants(duration: float, samples: int, switch_times: FloatArray) -> FloatArray:
+    """Return `samples` uniform instants from 0 to `duration`, merged with the switches (N,)."""
+    time = np.empty(samples + switch_times.size)
+    step = duration / (samples - 1)
+    j = 0
+    for i in range(samples):
+        uniform = duration if i == samples - 1 else i * step
+        while j < switch_times.size and switch_times[j] < uniform:
+            time[i + j] = switch_times[j]
+            j += 1
+        time[i + j] = uniform
+    time[samples + j :] = switch_times[j:]
+    return time
+
+
+@compiled
 def _tangential_curves(
     kappa: float,
     psi: float,

@@ -64,11 +64,17 @@ def solve(
             allowed = f"one of auto, {', '.join(METHODS)}"
             raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
-    if not EPSILON_T_ALONE.issuperset(quantities):
+    if is_exact(quantities, options):
         return _named(exact.follow_affordable(kappa, psi, options.damping, options.share), options)
     return (
         _cheapest_damped(kappa, psi, options) if options.damping else _cheapest(kappa, psi, options)
     )
+
+
+def is_exact(quantities: Collection[str], options: Options) -> bool:
+    """Return whether collisions that can be followed are, whatever the tolerance."""
+    any_will_do = EPSILON_T_ALONE.issuperset(quantities)
+    return options.method == "exact" or (options.method == "auto" and not any_will_do)
 
 
 def _named(found: Collision, options: Options) -> Answer:

@@ -11,12 +11,13 @@ from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.scaled_velocity import scaled_velocity
 from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.methods.exact import follow_affordable, known
 from restitution.studies.dampings import by_damping
-from restitution.studies.parameters import check, scaled_velocity
+from restitution.studies.parameters import check
 
 MOST_DAMPINGS = 2000
 """Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""

@@ -1,12 +1,15 @@
 """One collision: what came out and how it went."""
 
+import contextlib
 import functools
 import itertools
 from collections.abc import Collection
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
+from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
@@ -133,19 +136,17 @@ def study_collision(
         options = replace(options, damping=parameters.damping)
     wanted = frozenset(quantities)
     psi = parameters.psi
-    answer = planner.solve(np.array([parameters.kappa]), np.array([psi]), wanted, options)
-    epsilon_t = float(answer.epsilon_t[0])
-    exactly = answer.method[0] == "exact"
+    outcome = _outcome(parameters, wanted, options)
+    epsilon_t = outcome.epsilon_t
     course = None
-    if exactly and wanted & FROM_EPISODES:
+    if outcome.method == "exact" and wanted & FROM_EPISODES:
         course = _course(parameters, 0 if "episodes" not in wanted else episode_limit)
-    switches, certain = _counted(answer)
     return CollisionStudy(
         parameters=parameters,
         epsilon_t=epsilon_t,
         epsilon_n=normal_restitution(parameters.damping),
-        switches=switches if "switches" in wanted else None,
-        switches_certain=certain,
+        switches=outcome.switches if "switches" in wanted else None,
+        switches_certain=outcome.switches_certain,
         reversals=course.reversals if course and "reversals" in wanted else None,
         contact_duration=contact_duration(parameters.damping),
         episodes=course.episodes if course and "episodes" in wanted else None,
@@ -157,15 +158,43 @@ def study_collision(
         # where the bound is 1 double precision does not hold the phase, nor any derivative
         sensitivity=(
             course.sensitivity
-            if course and "sensitivity" in wanted and answer.error_bound[0] < 1.0
+            if course and "sensitivity" in wanted and outcome.error_bound < 1.0
             else None
         ),
-        summary=_summary(answer, course, parameters) if "summary" in wanted else None,
+        summary=_summary(outcome, course, parameters) if "summary" in wanted else None,
         limit=psi == 0.0,
-        method=str(answer.method[0]),
-        error_bound=float(answer.error_bound[0]),
-        tolerance_met=bool(answer.error_bound[0] <= options.tolerance),
+        method=outcome.method,
+        error_bound=outcome.error_bound,
+        tolerance_met=outcome.error_bound <= options.tolerance,
         convention=CONVENTION,
+    )
+
+
+class _Outcome(NamedTuple):
+    """What a method gives for one collision; None where it does not count switches."""
+
+    epsilon_t: float
+    error_bound: float
+    method: str
+    switches: int | None
+    switches_certain: bool | None
+
+
+def _outcome(parameters: CollisionParameters, wanted: frozenset[str], options: Options) -> _Outcome:
+    """Return the outcome by the planner's choice; what is followed anyway is solved by that."""
+    if wanted & FROM_EPISODES and planner.is_exact(wanted, options):
+        # what is too stiff to be followed is the planner's to answer or to refuse
+        with contextlib.suppress(CostError):
+            if path := followed_motion(parameters):
+                found = path.epsilon_t, path.error_bound, "exact"
+                return _Outcome(*found, path.switches, path.switches_certain)
+    answer = planner.solve(
+        np.array([parameters.kappa]), np.array([parameters.psi]), wanted, options
+    )
+    switches, certain = _counted(answer)
+    named = str(answer.method[0])
+    return _Outcome(
+        float(answer.epsilon_t[0]), float(answer.error_bound[0]), named, switches, certain
     )
 
 
@@ -213,9 +242,9 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
     )
 
 
-def _summary(answer: Answer, course: _Course | None, parameters: CollisionParameters) -> str:
+def _summary(outcome: _Outcome, course: _Course | None, parameters: CollisionParameters) -> str:
     psi, damping = parameters.psi, parameters.damping
-    epsilon_t, bound = float(answer.epsilon_t[0]), float(answer.error_bound[0])
+    epsilon_t, bound = outcome.epsilon_t, outcome.error_bound
     if course is None:
         return summarise(epsilon_t, bound, None, 0.0, 0, resting=psi == 0.0)
     share = course.first_end / contact_duration(damping)
@@ -232,9 +261,5 @@ def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
 
 def estimates(kappa: float, psi: float, damping: float = 0.0) -> Estimates:
     """Return Coulomb's law and, for η = 0, both stiff limits for one collision."""
-    with np.errstate(divide="ignore", over="ignore"):
-        return Estimates(
-            float(limits.coulomb_restitution(psi, normal_restitution(damping))),
-            np.nan if damping else float(limits.stiff_bound(kappa, psi)),
-            np.nan if damping else float(limits.stiff_asymptote(kappa, psi)),
-        )
+    coulomb, bound, asymptote = limits.simple_laws(kappa, psi, normal_restitution(damping))
+    return Estimates(coulomb, np.nan, np.nan) if damping else Estimates(coulomb, bound, asymptote)

@@ -4,31 +4,15 @@ import functools
 import math
 from dataclasses import dataclass
 
-import numpy as np
-import numpy.typing as npt
-
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.scaled_velocity import psi_of
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 
 CONVENTION = (
     "epsilon_t = g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels "
     "(some authors use the opposite sign); kappa is that of Eq. 24, divided by alpha"
 )
-
-
-def scaled_velocity(mu_over_alpha: npt.ArrayLike, gt_over_gn: npt.ArrayLike) -> FloatArray:
-    """Return ψ = (g_t/g_n)/(μ/α), broadcast.
-
-    Infinite for μ = 0 and where it overflows, 0 for g_t = 0 only: a positive quotient that
-    underflows is the smallest positive double, which has the same ε_t.
-    """
-    friction = np.asarray(mu_over_alpha, dtype=np.float64)
-    tangential = np.asarray(gt_over_gn, dtype=np.float64)
-    with np.errstate(all="ignore"):
-        psi = np.where(friction == 0.0, np.inf, tangential / friction)
-    smallest = np.nextafter(0.0, 1.0)
-    return np.where((psi == 0.0) & (tangential > 0.0), smallest, psi)
 
 
 @dataclass(frozen=True)
@@ -58,7 +42,7 @@ class CollisionParameters:
     @functools.cached_property
     def psi(self) -> float:
         """ψ = (α/μ)(g_t/g_n)."""
-        return float(scaled_velocity(self.mu_over_alpha, self.gt_over_gn))
+        return psi_of(self.mu_over_alpha, self.gt_over_gn)
 
 
 def check(

@@ -11,7 +11,7 @@ from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
 from restitution.mechanics.collision import WEAKEST
 from restitution.mechanics.damped_curves import damped_normal_curves
 from restitution.mechanics.hertz import FloatArray, normal_curves
-from restitution.mechanics.motion import Motion, tangential_curves
+from restitution.mechanics.motion import Motion, instants, tangential_curves
 from restitution.mechanics.stepping import stepped_course
 from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.answer import Options
@@ -97,8 +97,7 @@ def study_trace(
     switch_times = path.start[1:] if path else np.empty(0)
     if switch_times.size > MOST_SWITCHES:
         raise _too_many(f"{switch_times.size:,}")
-    uniform = np.linspace(0.0, contact_duration(eta), samples)
-    time = np.insert(uniform, np.searchsorted(uniform, switch_times, side="right"), switch_times)
+    time = instants(contact_duration(eta), samples, switch_times)
     wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
     compression, rate, cap = damped_normal_curves(eta, time) if eta else normal_curves(time)
     values: dict[str, FloatArray | npt.NDArray[np.int8]] = {

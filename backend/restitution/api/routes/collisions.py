@@ -25,10 +25,10 @@ from restitution.api.errors import (
     from_validation,
     refusal,
 )
+from restitution.api.fields import REQUIREMENTS
 from restitution.api.forms import Payload, Result, flattened, respond, respond_to_body
 from restitution.api.query import QueryRoute
 from restitution.api.schemas import (
-    REQUIREMENTS,
     CollisionQuery,
     CollisionsBody,
     CutQuery,

@@ -1,0 +1,41 @@
+"""ψ, the tangential velocity on which together with κ a collision depends."""
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.hertz import FloatArray
+
+SMALLEST = 5e-324
+"""The smallest positive double."""
+
+
+@compiled
+def psi_of(mu_over_alpha: float, gt_over_gn: float) -> float:
+    """Return ψ of one collision; see `scaled_velocity`."""
+    psi = gt_over_gn / mu_over_alpha if mu_over_alpha > 0.0 else math.inf
+    return SMALLEST if psi == 0.0 and gt_over_gn > 0.0 else psi
+
+
+@compiled
+def _scaled_velocities(mu_over_alpha: FloatArray, gt_over_gn: FloatArray, psi: FloatArray) -> None:
+    for i in range(psi.size):
+        psi[i] = psi_of(mu_over_alpha[i], gt_over_gn[i])
+
+
+def scaled_velocity(mu_over_alpha: npt.ArrayLike, gt_over_gn: npt.ArrayLike) -> FloatArray:
+    """Return ψ = (g_t/g_n)/(μ/α), broadcast.
+
+    Infinite for μ = 0 and where it overflows, 0 for g_t = 0 only: a positive quotient that
+    underflows is the smallest positive double, which has the same ε_t.
+    """
+    frictions, tangentials = np.broadcast_arrays(
+        np.asarray(mu_over_alpha, dtype=np.float64), np.asarray(gt_over_gn, dtype=np.float64)
+    )
+    psi = np.empty(frictions.size)
+    # copies, for numba warns of arrays that were broadcast
+    frictions, tangentials = np.array(frictions, order="C"), np.array(tangentials, order="C")
+    _scaled_velocities(frictions.ravel(), tangentials.ravel(), psi)
+    return psi.reshape(frictions.shape)

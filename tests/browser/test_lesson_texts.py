@@ -1,0 +1,180 @@
+"""The lesson's texts: ill translated, for everybody to read, printed."""
+
+import json
+import re
+from collections.abc import Callable
+
+import pytest
+from explorer import Witness, settle
+from lesson import (
+    LANGUAGES,
+    LOCALES,
+    STEPS,
+    Texts,
+    by_keyboard,
+    next_by_mouse,
+    says,
+)
+from playwright.sync_api import Page, Route, expect
+from test_access import objections
+
+pytestmark = pytest.mark.browser
+
+
+INJECTION = (
+    "<script>window.broken = true</script><img src=x onerror='window.broken = true'>"
+    "<a href='javascript:window.broken = true'>$t(lesson.next) {{constructor}} "
+)
+
+
+def changed(texts: dict, change: Callable[[str], str]) -> dict:
+    return {
+        key: changed(value, change) if isinstance(value, dict) else change(value)
+        for key, value in texts.items()
+    }
+
+
+HEBREW = "כמה חזק הכדור מסתובב אחרי הפגיעה בקיר, ומדוע? "
+
+BAD_TRANSLATIONS: dict[str, Callable[[str], str]] = {
+    "endless words": lambda text: text + "W" * 300,
+    "many words": lambda text: (text + " ") * 8,
+    "empty": lambda _: "",
+    "from right to left": lambda text: HEBREW + text,
+    "injection": lambda text: INJECTION + text,
+}
+
+
+def translate(page: Page, body: str, status: int = 200) -> None:
+    def answer(route: Route) -> None:
+        route.fulfill(status=status, body=body, content_type="application/json")
+
+    page.route("**/static/locales/de.json", answer)
+
+
+def assert_nothing_overflows(page: Page) -> None:
+    width, room = page.evaluate(
+        "() => [document.documentElement.scrollWidth, document.documentElement.clientWidth]"
+    )
+    assert width <= room
+    beyond = page.evaluate("""() => [...document.querySelectorAll(".lesson *, .handout *")]
+        .filter((e) => e.getClientRects().length > 0
+            && (e.getBoundingClientRect().right > innerWidth + 1
+                || e.getBoundingClientRect().left < -1))
+        .map((e) => `${e.tagName} ${e.className}`)""")
+    assert beyond == []
+
+
+@pytest.mark.parametrize("width", [320, pytest.param(1440, marks=pytest.mark.verify)])
+@pytest.mark.parametrize("kind", BAD_TRANSLATIONS)
+def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, width: int):
+    witness = Witness(page, server)
+    dialogs: list[str] = []
+    page.on("dialog", lambda dialog: (dialogs.append(dialog.message), dialog.dismiss()))
+    good = json.loads((LOCALES / "en.json").read_text(encoding="utf-8"))
+    translate(page, json.dumps(changed(good, BAD_TRANSLATIONS[kind])))
+    page.set_viewport_size({"width": width, "height": 900})
+    page.goto("/?scene=lesson&lang=de&notes=shown")
+    expect(page.get_by_test_id("lesson-asked")).not_to_be_empty()
+    page.locator("[data-option='zero']").click()
+    assert_nothing_overflows(page)
+    for step, (wrong, _, _) in list(STEPS.items())[1:]:
+        next_by_mouse(page)
+        settle(page, server)
+        if isinstance(wrong, str):
+            page.locator(f"[data-option='{wrong}']").click()
+        assert_nothing_overflows(page)
+        if kind == "empty":
+            says(page, "lesson-title", Texts("en").step(step, "title"))
+    page.get_by_test_id("lesson-handout").click()
+    expect(page.get_by_test_id("handout")).to_be_visible()
+    assert_nothing_overflows(page)
+    strange = page.locator(":is(.lesson, .handout) :is(script, img, a[href^=javascript])")
+    assert strange.count() == 0
+    assert page.evaluate("() => window.broken") is None
+    assert dialogs == []
+    witness.assert_silence()
+
+
+def test_what_is_not_translated_is_said_in_english(page: Page, server: str):
+    witness = Witness(page, server)
+    german = json.loads((LOCALES / "de.json").read_text(encoding="utf-8"))
+    del german["lesson"]["next"]
+    del german["lesson"]["steps"]["spin"]["text"]
+    german["lesson"]["steps"]["spin"]["options"] = {"plus": {"of": "another shape"}}
+    translate(page, json.dumps(german))
+    page.goto("/?scene=lesson&lang=de")
+    says(page, "lesson-title", Texts("de").step("spin", "title"))
+    says(page, "lesson-next", Texts("en").say("next"))
+    expect(page.locator(".lesson-text")).to_contain_text("Where two balls touch")
+    expect(page.locator("[data-option='minus']")).to_contain_text("= −1")
+    settle(page, server)
+    witness.assert_silence()
+
+
+def test_a_language_that_does_not_come_is_replaced_by_english(page: Page, server: str):
+    translate(page, "{}", status=404)
+    page.goto("/?scene=lesson&lang=de")
+    says(page, "lesson-title", Texts("en").step("spin", "title"))
+    expect(page.get_by_test_id("lesson")).to_have_attribute("lang", "en")
+    settle(page, server)
+
+
+PLACES = {
+    "wrong": ("/?scene=lesson&step=4", lambda page: page.locator("[data-option='odd']").click()),
+    "reached": (
+        "/?scene=lesson&step=6&lang=de&notes=shown",
+        lambda page: by_keyboard(page, {"kappa": 0.96}),
+    ),
+    "hand-out": ("/?scene=lesson&handout=shown&notes=shown", lambda _: None),
+}
+
+
+@pytest.mark.parametrize("place", PLACES)
+@pytest.mark.parametrize("scheme", ["light", pytest.param("dark", marks=pytest.mark.verify)])
+@pytest.mark.parametrize("width", [390, pytest.param(820, marks=pytest.mark.verify), 1440])
+def test_axe_finds_nothing_to_object_to(
+    page: Page, server: str, width: int, scheme: str, place: str
+):
+    address, act = PLACES[place]
+    page.set_viewport_size({"width": width, "height": 900})
+    page.emulate_media(color_scheme=scheme)
+    page.goto(address)
+    expect(page.get_by_test_id("lesson-asked")).not_to_be_empty()
+    if place == "hand-out":
+        expect(page.get_by_test_id("handout")).to_be_visible()
+    else:
+        settle(page, server)
+        act(page)
+        expect(page.get_by_test_id("lesson-feedback")).not_to_have_text("")
+        settle(page, server)
+        if width == 390:
+            # on a phone the controls stick to the bottom, over whatever is there
+            page.get_by_test_id("lesson-again").evaluate("e => e.scrollIntoView({block: 'center'})")
+    assert objections(page) == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_hand_out_holds_all_steps_and_prints_on_a_few_sheets(page: Page, language: str):
+    texts = Texts(language)
+    page.goto(f"/?scene=lesson&lang={language}")
+    page.get_by_test_id("lesson-handout").click()
+    sheet = page.get_by_test_id("handout")
+    expect(sheet).to_be_visible()
+    assert "handout=shown" in page.url
+    content = " ".join(sheet.inner_text().split())
+    for i, step in enumerate(STEPS):
+        for key in ("title", "text", "question"):
+            assert " ".join(texts.step(step, key).split()) in content
+        assert f"scene=lesson&step={i + 1}" in content
+        for key in ("answer", "misconception"):
+            assert texts.step(step, key)[:30] not in content
+    page.emulate_media(media="print")
+    for other in ("theme", "handout-print", "result", "force-trace", "lesson"):
+        expect(page.get_by_test_id(other)).to_be_hidden()
+    sheets = len(re.findall(rb"/Type\s*/Page\b", page.pdf(prefer_css_page_size=True)))
+    assert 3 <= sheets <= 5
+    page.emulate_media(media="screen")
+    page.get_by_test_id("handout-close").click()
+    expect(page.get_by_test_id("lesson")).to_be_visible()
+    expect(page.get_by_test_id("lesson-handout")).to_be_focused()
