@@ -19,7 +19,7 @@ WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench tradeoff verify screenshots lock clean
+.PHONY: help serve test check format bench load tradeoff verify screenshots lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -28,8 +28,12 @@ serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HO
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
 
 test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
-	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest
-	$(NPM) run --silent test
+	@# the browser's part needs both cores for itself; a failure does not keep the others from being told
+	@status=0; \
+	$(WITH_NGINX) $(BIN)/python -m pytest -n 2 --dist loadfile -m "not browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m "browser and not verify" || status=1; \
+	$(NPM) run --silent test || status=1; \
+	exit $$status
 
 check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff format --check
@@ -46,12 +50,16 @@ format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
 bench: $(DEVELOPMENT) ## costs and times, as text and JSON
 	@$(BIN)/python tests/bench/run.py
 
+load: $(DEVELOPMENT) ## a server under load, alone and behind nginx, as JSON; PARTS="class soak" for some of it
+	@$(WITH_NGINX) PYTHONPATH=tests:tests/deploy:tests/browser:tests/bench \
+		$(BIN)/python tests/bench/load.py $(PARTS)
+
 tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-and-accuracy.md
 	@$(BIN)/restitution tradeoff --report docs/speed-and-accuracy.md
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0
+	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) $(BIN)/python tests/browser/screenshots.py

@@ -9,6 +9,7 @@ import sys
 import time
 import urllib.error
 import urllib.request
+from collections.abc import Callable
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -83,12 +84,30 @@ def free_port() -> int:
 
 
 def wait_until_ready(url: str, process: subprocess.Popen[bytes], log_path: Path) -> None:
-    deadline = time.monotonic() + START_SECONDS
-    while time.monotonic() < deadline and process.poll() is None:
+    def is_ready() -> bool:
         try:
             urllib.request.urlopen(f"{url}/readyz", timeout=5).close()
         except (urllib.error.URLError, ConnectionError, TimeoutError):
-            time.sleep(0.1)
-        else:
+            return False
+        return True
+
+    wait_until(is_ready, process, log_path)
+
+
+def is_open(port: int) -> bool:
+    """Return whether anything listens there."""
+    try:
+        socket.create_connection(("127.0.0.1", port), timeout=5).close()
+    except OSError:
+        return False
+    return True
+
+
+def wait_until(holds: Callable[[], bool], process: subprocess.Popen[bytes], log_path: Path) -> None:
+    """Wait for what a process shall do first, as long as it runs."""
+    deadline = time.monotonic() + START_SECONDS
+    while time.monotonic() < deadline and process.poll() is None:
+        if holds():
             return
-    pytest.fail(f"the server did not become ready:\n{log_path.read_text(errors='replace')}")
+        time.sleep(0.1)
+    pytest.fail(f"the process did not start:\n{log_path.read_text(errors='replace')}")

@@ -95,7 +95,7 @@ def summary(times: list[float]) -> str:
         "kappa",
         pytest.param("mu-over-alpha", marks=LONG),
         pytest.param("gt-over-gn", marks=LONG),
-        "damping",
+        pytest.param("damping", marks=LONG),
     ],
 )
 def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str, capsys):
@@ -114,7 +114,7 @@ def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str
     assert statistics.median(times) < 66
 
 
-@pytest.mark.parametrize("delay", [0, 100, 500])
+@pytest.mark.parametrize("delay", [0, pytest.param(100, marks=LONG), 500])
 @pytest.mark.parametrize(
     "name",
     [

@@ -207,7 +207,9 @@ def assert_pictures(
     for law in ("epsilon_t", "coulomb"):
         assert [row[0] for row in answer[law]] in curves
     cells = page.get_by_test_id("velocities").evaluate(CELLS)
-    assert cells == post(server, "scaling/map", whole)["epsilon_t"]
+    # in CI pytest would list all that differs, which takes longer than the page is given
+    is_answer = cells == post(server, "scaling/map", whole)["epsilon_t"]
+    assert is_answer
 
 
 def assert_place(page: Page, witness: Witness, answer: dict) -> None:

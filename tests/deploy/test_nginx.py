@@ -3,30 +3,22 @@
 import http.client
 import inspect
 import json
-import os
 import re
 import socket
-import subprocess
-import sys
 import threading
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack, contextmanager, suppress
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from pathlib import Path
 from typing import NamedTuple
 
 import pytest
 import uvicorn
-from set_up_nginx import nginx_of_machine
+from proxy import COLLISION, NGINX, TEMPLATE, Answer, Proxy, nginx
 
-from servers import START_SECONDS, free_port
+from servers import Serving, serving
 
-ROOT = Path(__file__).parents[2]
-TEMPLATE = (ROOT / "deploy" / "nginx.conf.template").read_text(encoding="utf-8")
-NGINX = nginx_of_machine()
-COLLISION = "/api/v1/collision?mu_over_alpha=1.4&gt_over_gn=1.358&quantities=epsilon_t&kappa="
 TRACE = "/api/v1/trace?mu_over_alpha=1.4&gt_over_gn=1.358&kappa="
 CLIENT_SECONDS = 10
 """What the template grants a client for its headers, and between two pieces of a body."""
@@ -34,91 +26,9 @@ CLIENT_SECONDS = 10
 pytestmark = pytest.mark.skipif(not NGINX, reason="there is no nginx: `make test` installs one")
 
 
-class Answer(NamedTuple):
-    status: int
-    headers: http.client.HTTPMessage
-    body: bytes
-
-
-class Proxy(NamedTuple):
-    """An nginx that runs."""
-
-    port: int
-    folder: Path
-
-    def ask(self, path: str, method: str = "GET", body: object = None, **headers: str) -> Answer:
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
-        try:
-            named = {name.replace("_", "-"): value for name, value in headers.items()}
-            connection.request(method, path, body, named)
-            response = connection.getresponse()
-            return Answer(response.status, response.headers, response.read())
-        finally:
-            connection.close()
-
-    def collide(self, kappa: float) -> Answer:
-        return self.ask(f"{COLLISION}{kappa}")
-
-    def post(self, kappa: list[float]) -> Answer:
-        body = json.dumps({"kappa": kappa, "mu_over_alpha": 1.4, "gt_over_gn": 1})
-        return self.ask("/api/v1/collisions", "POST", body, Content_Type="application/json")
-
-
 class Cluster(NamedTuple):
     proxy: Proxy
-    processes: list[subprocess.Popen]
-
-
-def filled_in(ports: list[int], listen: int, concurrency: int) -> str:
-    """Return the template as nginx's image fills it in, for `ports` of this machine."""
-    values = {
-        "LISTEN": f"127.0.0.1:{listen}",
-        "RESOLVER": "127.0.0.1",
-        "SERVERS": "".join(f"server 127.0.0.1:{p} max_fails=1 fail_timeout=2s;" for p in ports),
-        "CONCURRENCY": str(concurrency),
-        "CONCURRENCY_PER_ADDRESS": str(concurrency),
-    }
-    return re.sub(r"\$\{RESTITUTION_PROXY_(\w+)\}", lambda name: values[name[1]], TEMPLATE)
-
-
-@contextmanager
-def nginx(folder: Path, ports: list[int], concurrency: int = 1024) -> Iterator[Proxy]:
-    """Run nginx before servers on `ports`."""
-    port = free_port()
-    folder.mkdir()
-    configuration = folder / "nginx.conf"
-    configuration.write_text(filled_in(ports, port, concurrency))
-    # root's workers would become a user who may not enter pytest's folders
-    globals_ = "daemon off;" + ("user root;" if os.geteuid() == 0 else "")
-    with (folder / "log").open("ab") as log:
-        process = subprocess.Popen(
-            [NGINX, "-p", f"{folder}/", "-c", configuration, "-g", globals_],
-            stdout=log,
-            stderr=subprocess.STDOUT,
-        )
-    try:
-        # which it answers itself
-        wait_for(port, process, folder / "log", "/metrics")
-        yield Proxy(port, folder)
-    finally:
-        process.terminate()
-        process.wait(timeout=10)
-
-
-def wait_for(port: int, process: subprocess.Popen, log: Path, path: str) -> None:
-    deadline = time.monotonic() + START_SECONDS
-    while time.monotonic() < deadline and process.poll() is None:
-        connection = http.client.HTTPConnection("127.0.0.1", port, timeout=5)
-        try:
-            connection.request("GET", path)
-            if connection.getresponse().status != 503:
-                return
-        except OSError:
-            pass
-        finally:
-            connection.close()
-        time.sleep(0.1)
-    pytest.fail(f"no answer:\n{log.read_text(errors='replace')}")
+    servers: list[Serving]
 
 
 @pytest.fixture(scope="module")
@@ -127,21 +37,12 @@ def launch(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[], Cl
     with ExitStack() as stack:
 
         def start() -> Cluster:
-            folder = tmp_path_factory.mktemp("cluster")
-            ports, processes = [free_port(), free_port()], []
-            for port in ports:
-                log = stack.enter_context((folder / f"server-{port}").open("wb"))
-                process = subprocess.Popen(
-                    [Path(sys.executable).with_name("restitution"), "serve", "--port", str(port)],
-                    stdout=log,
-                    stderr=subprocess.STDOUT,
-                )
-                stack.callback(process.wait, timeout=20)
-                stack.callback(process.terminate)
-                processes.append(process)
-            for port, process in zip(ports, processes, strict=True):
-                wait_for(port, process, folder / f"server-{port}", "/readyz")
-            return Cluster(stack.enter_context(nginx(folder / "nginx", ports)), processes)
+            servers = [
+                stack.enter_context(serving(tmp_path_factory.mktemp("server"))) for _ in range(2)
+            ]
+            folder = tmp_path_factory.mktemp("proxy") / "nginx"
+            ports = [server.port for server in servers]
+            return Cluster(stack.enter_context(nginx(folder, ports)), servers)
 
         yield start
 
@@ -367,13 +268,13 @@ def test_equal_requests_at_once_are_computed_once(tmp_path):
 
 
 def test_dead_server_is_not_noticed_and_two_are_reported(launch):
-    proxy, processes = launch()
+    proxy, servers = launch()
     known = proxy.collide(1)
-    processes[0].kill()
+    servers[0].process.kill()
     assert {proxy.collide(2 + i).status for i in range(30)} == {200}
     assert {proxy.post([2 + i]).status for i in range(10)} == {200}
-    processes[1].kill()
-    processes[1].wait()
+    servers[1].process.kill()
+    servers[1].process.wait()
     assert_problem(proxy.collide(100), 502)
     assert_problem(proxy.collide(101), 502)
     assert proxy.collide(1).body == known.body
