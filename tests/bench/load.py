@@ -203,6 +203,10 @@ async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
             else:
                 numbers = (dice.uniform(1, 70), dice.uniform(0.2, 3), dice.uniform(0.01, 4))
                 path = DRAGGED.format(*(round(n, 3) for n in numbers))
+            if b"connection: close" in connection.headers:
+                # as nginx does after a thousand requests
+                connection.transport.close()
+                connection = await connect(port)
             begin = time.perf_counter()
             try:
                 status = await connection.get(path)
@@ -218,7 +222,7 @@ async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
                 waits.append(took)
                 await asyncio.sleep(max(0.0, FRAME - took))
             else:
-                assert b"retry-after: " in connection.headers
+                assert b"retry-after: " in connection.headers, connection.headers
                 # as the page does
                 await asyncio.sleep(1.0 + dice.random())
 

@@ -20,6 +20,7 @@ from proxy import COLLISION, NGINX, TEMPLATE, Answer, Proxy, nginx
 from servers import Serving, serving
 
 TRACE = "/api/v1/trace?mu_over_alpha=1.4&gt_over_gn=1.358&kappa="
+CUT = "/api/v1/cut?along=kappa&gt_over_gn=1.358&mu_over_alpha="
 CLIENT_SECONDS = 10
 """What the template grants a client for its headers, and between two pieces of a body."""
 
@@ -95,6 +96,11 @@ def test_repeated_requests_come_from_the_cache(proxy):
     assert second.headers["Cache-Control"] == "public, max-age=86400"
 
 
+def test_force_traces_are_kept_when_they_are_asked_for_again(proxy):
+    states = [proxy.ask(f"{TRACE}11").headers["X-Cache-Status"] for _ in range(4)]
+    assert states == ["MISS", "MISS", "HIT", "HIT"]
+
+
 def test_known_answer_is_not_sent_again(proxy):
     tag = proxy.collide(12).headers["ETag"]
     answer = proxy.ask(f"{COLLISION}12", If_None_Match=tag)
@@ -117,9 +123,9 @@ def test_head_is_answered_from_the_cache(proxy):
 
 
 def test_every_client_gets_an_encoding_that_it_reads(proxy):
-    plain = proxy.ask(f"{TRACE}14")
+    plain = proxy.ask(f"{CUT}14")
     packed = [
-        proxy.ask(f"{TRACE}14", Accept_Encoding=accepted)
+        proxy.ask(f"{CUT}14", Accept_Encoding=accepted)
         for accepted in ("gzip", "deflate, gzip;q=0.8", "gzip, deflate")
     ]
     assert plain.headers["Content-Encoding"] is None
@@ -127,7 +133,7 @@ def test_every_client_gets_an_encoding_that_it_reads(proxy):
     assert [answer.headers["X-Cache-Status"] for answer in packed] == ["MISS", "HIT", "HIT"]
     assert all(len(answer.body) < len(plain.body) for answer in packed)
     assert "Accept-Encoding" in plain.headers["Vary"]
-    assert proxy.ask(f"{TRACE}14").headers["Content-Encoding"] is None
+    assert proxy.ask(f"{CUT}14").headers["Content-Encoding"] is None
 
 
 def test_other_pages_may_read_answers_that_were_cached_for_our_own(proxy):
