@@ -28,10 +28,11 @@ serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HO
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
 
 test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
-	@# the browser's part needs both cores for itself; a failure does not keep the others from being told
+	@# Playwright leaves an event loop running: its tests are a run of their own. A failure does not
+	@# keep the others from being told.
 	@status=0; \
 	$(WITH_NGINX) $(BIN)/python -m pytest -n 2 --dist loadfile -m "not browser and not verify" || status=1; \
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m "browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest -n 2 --dist loadfile -m "browser and not verify" || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
 

@@ -190,8 +190,8 @@ def keep_in(context: BrowserContext, server: str) -> list[str]:
 @pytest.mark.parametrize(
     ("scene", "count", "seed"),
     [
-        ("explorer", 100, SEED),
-        ("spheres", 80, SEED),
+        ("explorer", 50, SEED),
+        ("spheres", 40, SEED),
         pytest.param("explorer", 2000, SEED + 1, marks=pytest.mark.verify),
         pytest.param("spheres", 2000, SEED + 2, marks=pytest.mark.verify),
     ],

@@ -47,7 +47,11 @@ def marks(page: Page, name: str) -> dict[str, list]:
 @pytest.mark.parametrize("name", ["force-trace", "velocity"])
 @pytest.mark.parametrize(
     ("slider", "shares"),
-    [("kappa", (0.3, 0.55, 0.7)), ("gt-over-gn", (0.2, 0.45, 0.6)), ("mu-over-alpha", (0.2, 0.8))],
+    [
+        ("kappa", (0.3, 0.55, 0.7)),
+        pytest.param("gt-over-gn", (0.2, 0.45, 0.6), marks=pytest.mark.verify),
+        pytest.param("mu-over-alpha", (0.2, 0.8), marks=pytest.mark.verify),
+    ],
 )
 def test_marks_moved_while_dragging_are_those_that_plotly_draws(
     page: Page, server: str, name: str, slider: str, shares: tuple[float, ...]
