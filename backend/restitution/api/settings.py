@@ -21,7 +21,7 @@ class Settings(BaseSettings):
     workers: int = Field(1, ge=1)
     """Processes that serve, each with its own lines of waiting requests."""
 
-    most_quick: int = Field(64, ge=1)
+    most_quick: int = Field(40, ge=1)
     """Requests of under some milliseconds that wait in one process; more are answered 503."""
 
     most_long: int = Field(os.cpu_count() or 1, ge=1)
