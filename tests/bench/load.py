@@ -74,7 +74,13 @@ class Connection(asyncio.Protocol):
         return await asyncio.wait_for(self._done, 30.0)
 
 
-async def connect(port: int) -> Connection:
+async def connect(port: int, kept: Connection | None = None) -> Connection:
+    """Return the connection that was kept, or a new one where the server closes that.
+
+    nginx does so after a thousand requests.
+    """
+    if kept and b"connection: close" not in kept.headers:
+        return kept
     loop = asyncio.get_running_loop()
     return (await loop.create_connection(Connection, "127.0.0.1", port))[1]
 
@@ -137,6 +143,7 @@ async def closed_loop(port: int, path: str, seconds: float, clients: int = 32) -
         nonlocal count
         connection = await connect(port)
         while time.perf_counter() < end:
+            connection = await connect(port, connection)
             assert await connection.get(path) == 200
             count += 1
 
@@ -203,10 +210,7 @@ async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
             else:
                 numbers = (dice.uniform(1, 70), dice.uniform(0.2, 3), dice.uniform(0.01, 4))
                 path = DRAGGED.format(*(round(n, 3) for n in numbers))
-            if b"connection: close" in connection.headers:
-                # as nginx does after a thousand requests
-                connection.transport.close()
-                connection = await connect(port)
+            connection = await connect(port, connection)
             begin = time.perf_counter()
             try:
                 status = await connection.get(path)
