@@ -1,8 +1,10 @@
 """Compile or load the kernels before the first request needs them."""
 
 from restitution.methods.answer import Options
+from restitution.studies.axis import Axis
 from restitution.studies.batch import QUANTITIES, study_batch
 from restitution.studies.parameters import CollisionParameters
+from restitution.studies.table_export import study_table
 from restitution.studies.trace import study_trace
 
 
@@ -17,3 +19,4 @@ def warm_rest() -> None:
     study_trace(CollisionParameters(18.0, 1.4, 0.4, 0.1), samples=2)
     study_trace(CollisionParameters(18.0, 1.4, 0.4), Options("timestep"), samples=2)
     study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options("table"))
+    study_table(Axis(1.0, 2.0, 2), Axis(1.0, 2.0, 2), "paper", 0.1, seconds=1.0)

@@ -373,6 +373,7 @@ def collide(
     >>> switches
     array([4, 4, 0], dtype=int32)
     """
+    most = float(most_switches)  # an integer would be compiled for anew
     return collide_in_parts(
-        kappa, psi, lambda kappas, psis, *out: _collide_each(kappas, psis, most_switches, *out)
+        kappa, psi, lambda kappas, psis, *out: _collide_each(kappas, psis, most, *out)
     )

@@ -229,8 +229,7 @@ def collide_damped(
     array([5, 9, 1], dtype=int32)
     """
     contact = normal_contact(damping)
+    most = float(most_switches)  # an integer would be compiled for anew
     return collide_in_parts(
-        kappa,
-        psi,
-        lambda kappas, psis, *out: _collide_each(contact, kappas, psis, most_switches, *out),
+        kappa, psi, lambda kappas, psis, *out: _collide_each(contact, kappas, psis, most, *out)
     )
