@@ -60,7 +60,7 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
-	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest -m verify --timeout=0 --durations=0
+	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest -m verify --timeout=3600 --durations=0
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) $(BIN)/python tests/browser/screenshots.py
