@@ -18,6 +18,8 @@ LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-versio
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
+TIMES := tests/browser/test_latency.py
+
 .DEFAULT_GOAL := help
 .PHONY: help serve test check format bench load tradeoff verify screenshots lock clean
 
@@ -28,11 +30,12 @@ serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HO
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
 
 test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
-	@# Playwright leaves an event loop running: its tests are a run of their own. A failure does not
-	@# keep the others from being told.
+	@# Playwright leaves an event loop running: its tests are a run of their own. Those of times are
+	@# alone on the machine. A failure does not keep the others from being told.
 	@status=0; \
 	$(WITH_NGINX) $(BIN)/python -m pytest -n 2 --dist loadfile -m "not browser and not verify" || status=1; \
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest -n 2 --dist loadfile -m "browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest -n 2 --dist loadfile -m "browser and not verify" --ignore $(TIMES) || status=1; \
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m "not verify" $(TIMES) || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
 

@@ -1,6 +1,6 @@
 """How long after an input the answer is on the screen; printed beside an empty page's figure.
 
-`make verify` shows the figures; they are for an idle machine.
+The makefile runs these tests in a process of their own: two at a time would measure each other.
 """
 
 import statistics
@@ -14,10 +14,6 @@ pytestmark = pytest.mark.browser
 
 LONG = pytest.mark.verify
 """Every control takes minutes; in each run some stand for the others."""
-
-LAG = 200.0
-"""Milliseconds that nobody takes for a drag, and that no noise of a shared machine makes of what is
-printed here. The goals stand beside it."""
 
 RECORD = """() => {
   window.recorded = [];
@@ -115,9 +111,10 @@ def test_force_trace_and_result_follow_a_drag(page: Page, server: str, name: str
     empty = empty_page(page, server)
     with capsys.disabled():
         print(f"\n{name}: {summary(times)}; an empty page: {summary(empty)}")
-    assert len(times) > 12
-    # the goals are a median of 33 ms and a p95 of 60 ms
-    assert statistics.median(times) < LAG
+    assert len(times) > 60
+    # the goals are a median of 33 ms and a p95 of 60 ms; a shared machine's noise gets twice that
+    # median, and any p95
+    assert statistics.median(times) < 66
 
 
 @pytest.mark.parametrize("delay", [pytest.param(0, marks=LONG), pytest.param(100, marks=LONG), 500])
@@ -151,15 +148,15 @@ def test_strip_and_crosshair_follow_at_once_over_a_slow_network(
     with capsys.disabled():
         print(f"\n{name}, {delay} ms added: strip {summary(strip)}; crosshair {summary(crosshair)}")
         print(f"  empty page {summary(empty)}; settled after {settled:.0f} ms; under way {most}")
-    assert len(crosshair) > 12
+    assert len(crosshair) > 60
     # Beyond the map on the page its last values stand, so there are fewer of the strip.
-    assert len(strip) > 6
+    assert len(strip) > 30
     assert max(most.values()) <= 2
     # the goals are 150 ms after the release where nothing is added, and for each input a median of
-    # 17 ms and a p95 of 33 ms
-    assert settled < 600 + 2.2 * delay
+    # 17 ms and a p95 of 33 ms; a shared machine's noise gets twice that
+    assert settled < 300 + 2.2 * delay
     for times in (strip, crosshair):
-        assert statistics.median(times) < LAG
+        assert statistics.median(times) < 34
 
 
 SPHERES_CONTROLS = ["normal-velocity-m-s", "tangential-velocity-m-s", "radius-m", "crosshair"]
@@ -201,7 +198,8 @@ def test_impact_and_cut_follow_a_drag_of_real_spheres(
     moving = {"impact", "result"} | ({"sphere-cut"} if name != "tangential-velocity-m-s" else set())
     # a request more would be a queue
     assert max(most.values()) == 1
-    # the goals are a median of 33 ms and a p95 of 60 ms
+    # the goals are a median of 33 ms and a p95 of 60 ms; a shared machine's noise gets twice that
+    # median, and any p95
     for view in moving:
-        assert len(times[view]) > 12
-        assert statistics.median(times[view]) < LAG
+        assert len(times[view]) > 60
+        assert statistics.median(times[view]) < 66
