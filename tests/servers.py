@@ -6,17 +6,13 @@ import re
 import socket
 import subprocess
 import sys
-import time
 import urllib.error
 import urllib.request
 from collections.abc import Callable
 from contextlib import contextmanager
 from pathlib import Path
 
-import pytest
-
-START_SECONDS = 60
-"""A first start compiles the kernels."""
+from waiting import LIMIT_SECONDS, eventually
 
 
 class Serving:
@@ -26,18 +22,18 @@ class Serving:
         self.process, self.port, self.log = process, port, log
         self.url = f"http://127.0.0.1:{port}"
 
-    def get(self, path, seconds=30, **headers):
+    def get(self, path, **headers):
         """Return status, headers and body, refusals too."""
         request = urllib.request.Request(self.url + path, headers=headers)
         try:
-            with urllib.request.urlopen(request, timeout=seconds) as answer:
+            with urllib.request.urlopen(request, timeout=LIMIT_SECONDS) as answer:
                 return answer.status, answer.headers, answer.read()
         except urllib.error.HTTPError as refusal:
             return refusal.code, refusal.headers, refusal.read()
 
     def send(self, text):
         """Return a connection over which `text` was sent."""
-        connection = socket.create_connection(("127.0.0.1", self.port), timeout=30)
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=LIMIT_SECONDS)
         connection.sendall(text.encode())
         return connection
 
@@ -86,7 +82,7 @@ def free_port() -> int:
 def wait_until_ready(url: str, process: subprocess.Popen[bytes], log_path: Path) -> None:
     def is_ready() -> bool:
         try:
-            urllib.request.urlopen(f"{url}/readyz", timeout=5).close()
+            urllib.request.urlopen(f"{url}/readyz", timeout=LIMIT_SECONDS).close()
         except (urllib.error.URLError, ConnectionError, TimeoutError):
             return False
         return True
@@ -97,7 +93,7 @@ def wait_until_ready(url: str, process: subprocess.Popen[bytes], log_path: Path)
 def is_open(port: int) -> bool:
     """Return whether anything listens there."""
     try:
-        socket.create_connection(("127.0.0.1", port), timeout=5).close()
+        socket.create_connection(("127.0.0.1", port), timeout=LIMIT_SECONDS).close()
     except OSError:
         return False
     return True
@@ -105,9 +101,10 @@ def is_open(port: int) -> bool:
 
 def wait_until(holds: Callable[[], bool], process: subprocess.Popen[bytes], log_path: Path) -> None:
     """Wait for what a process shall do first, as long as it runs."""
-    deadline = time.monotonic() + START_SECONDS
-    while time.monotonic() < deadline and process.poll() is None:
-        if holds():
-            return
-        time.sleep(0.1)
-    pytest.fail(f"the process did not start:\n{log_path.read_text(errors='replace')}")
+
+    def held_or_ended() -> bool:
+        ended = process.poll() is not None
+        assert ended or holds(), log_path.read_text(errors="replace")
+        return not ended
+
+    assert eventually(held_or_ended), log_path.read_text(errors="replace")

@@ -35,6 +35,10 @@ from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, 
 LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
 
+LONGEST_SILENCE = 60
+"""Seconds after which a worker that says nothing is replaced. It is silent while it imports, which
+on a busy machine takes longer than uvicorn's five: it was then replaced for ever."""
+
 
 @click.group()
 def main() -> None:
@@ -60,6 +64,7 @@ def serve(host: str, port: int) -> None:
             log_config=None,
             access_log=False,
             timeout_graceful_shutdown=LONGEST_FAREWELL,
+            timeout_worker_healthcheck=LONGEST_SILENCE,
         )
 
 

@@ -1,7 +1,6 @@
 """The service under test, and a strict reading of what it answers."""
 
 import json
-import time
 from collections.abc import Iterator
 from typing import Any
 
@@ -9,6 +8,9 @@ import pytest
 from starlette.testclient import TestClient
 
 from restitution.api.app import create_app
+from restitution.methods import planner
+from waiting import eventually
+from work import counted
 
 PREFIX = "/api/v1"
 
@@ -88,22 +90,29 @@ class Service:
         assert errors
         return {entry["parameter"]: entry for entry in errors}
 
-    def promptly(self, ask: Any, seconds: float = 1.0) -> Any:
-        """Return the response of `ask()`; a second try forgives a machine that was busy."""
-        for _ in range(2):
-            begin = time.perf_counter()
+    def affordable(self, ask: Any, *, tries: bool = False) -> Any:
+        """Return the response of `ask()`, whose work was within the budget of its line.
+
+        What is wrong is refused before any work, what is too costly after hardly any; but for the
+        general solver, which is stopped on its way, and where it is said that there are `tries`.
+        """
+        with counted() as work:
             response = ask()
-            elapsed = time.perf_counter() - begin
-            if elapsed < seconds:
-                return response
-        pytest.fail(f"took {elapsed:.2f} s, twice more than {seconds} s")
+        work.assert_affordable()
+        if response.status_code == 413:
+            assert tries or work.seconds <= planner.QUICK_SECONDS, work
+        elif response.status_code >= 400:
+            assert work.of_numbers == 0, f"{response.status_code} after {work}"
+        return response
 
 
 @pytest.fixture(scope="session")
 def service() -> Iterator[Service]:
     with TestClient(create_app()) as client:
-        deadline = time.monotonic() + 120.0
-        while client.get("/readyz").status_code != 200:
-            assert time.monotonic() < deadline, "the kernels are not ready after two minutes"
-            time.sleep(0.05)
+
+        def is_warm() -> None:
+            # before that nothing is computed on the event loop
+            assert client.app.state.warm.is_set(), "the kernels or the table are not ready"
+
+        eventually(is_warm)
         yield Service(client)

@@ -9,6 +9,7 @@ from restitution.api.admission import Admission, SaturatedError
 from restitution.interruption import InterruptionError, interruptible, pause
 from restitution.mechanics.collision import PART, collide
 from restitution.methods.ode import integrate
+from waiting import LIMIT_SECONDS, eventually
 
 
 class Client:
@@ -57,20 +58,43 @@ def test_a_line_is_freed_by_work_that_fails():
 def test_long_requests_wait_in_a_line_of_bounded_length():
     async def scene():
         admission, go, most = Admission(1, 2, 1), threading.Event(), []
-        running = threading.Semaphore(2)
+        running, begun = threading.Semaphore(2), threading.Semaphore(0)
 
         def work():
             most.append(running.acquire(blocking=False))
-            go.wait(10)
+            begun.release()
+            go.wait(LIMIT_SECONDS)
             running.release()
             return 1
 
         tasks = [asyncio.ensure_future(admission.in_thread(Client(), work)) for _ in range(5)]
-        await asyncio.sleep(0.2)
+        # two are sent away while two are computed, and one waits for its turn
+        await asyncio.wait(tasks[3:])
+        for _ in range(2):
+            await asyncio.to_thread(begun.acquire)
+        assert not any(task.done() for task in tasks[:3])
         go.set()
         found = await outcomes(*tasks)
         assert sorted(map(str, found)) == sorted(map(str, [1, 1, 1, *2 * [SaturatedError]]))
         assert all(most), "more than two were computed at a time"
+
+    asyncio.run(scene())
+
+
+def test_quick_requests_are_answered_while_a_long_one_is_held():
+    async def scene():
+        admission, go, begun = Admission(1, 1, 0), threading.Event(), threading.Event()
+
+        def held():
+            begun.set()
+            return go.wait(LIMIT_SECONDS)
+
+        long = asyncio.ensure_future(admission.in_thread(Client(), held))
+        await asyncio.to_thread(begun.wait)
+        assert [await admission.quickly(lambda: 1) for _ in range(3)] == [1, 1, 1]
+        assert not long.done()
+        go.set()
+        assert await long
 
     asyncio.run(scene())
 
@@ -81,18 +105,19 @@ def test_work_is_called_off_when_its_client_hangs_up():
 
         def work():
             begun.set()
-            for _ in range(10_000):
-                pause()
-                threading.Event().wait(0.001)
-            return 1
+            eventually(called_off)
+
+        def called_off():
+            pause()
+            raise AssertionError("the work goes on")
 
         task = asyncio.ensure_future(admission.in_thread(client, work))
         await asyncio.to_thread(begun.wait)
         client.gone.set()
         with pytest.raises(InterruptionError):
-            await asyncio.wait_for(task, 2.0)
+            await task
         # and the thread is free for the next one
-        assert await asyncio.wait_for(admission.in_thread(Client(), lambda: 1), 1.0) == 1
+        assert await admission.in_thread(Client(), lambda: 1) == 1
 
     asyncio.run(scene())
 

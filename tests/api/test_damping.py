@@ -159,7 +159,7 @@ def test_damping_out_of_range_is_refused_in_words(service, damping):
     ("kappa", "psi"), [(5e-324, 1.0), (1.0, 1e300), (1e300, 1.0), (18.0, 1e-300)]
 )
 def test_extremes_have_an_answer(service, damping, kappa, psi):
-    response = service.promptly(
+    response = service.affordable(
         lambda: service.get(
             "/collision", kappa=kappa, mu_over_alpha=1, gt_over_gn=psi, damping=damping
         )

@@ -36,7 +36,7 @@ def few(number):
 
 def answered(service, ask):
     """Return the strict JSON of an answer, None for a refusal for cost."""
-    response = service.promptly(ask)
+    response = service.affordable(ask)
     if response.status_code == 413:
         problem = service.problem(response, 413)
         assert any(c.isdigit() for c in problem["detail"])
@@ -95,7 +95,7 @@ def test_collision_is_finite_and_bounded(service, kappa, friction, tangential, m
 def test_trace_is_finite_and_bounded(service, kappa, friction, tangential, samples, form):
     collision = {"kappa": kappa, "mu_over_alpha": friction, "gt_over_gn": tangential}
     shape = {"encoding": form} if form == "base64" else {"format": form}
-    response = service.promptly(
+    response = service.affordable(
         lambda: service.get("/trace", **collision, samples=samples, **shape)
     )
     if response.status_code == 413:

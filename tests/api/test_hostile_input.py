@@ -1,7 +1,7 @@
 """A corpus of extremes for every call of the OpenAPI document: answered or refused as described.
 
-Whatever is said: promptly, with a status of the document, and by its schemas. Who is refused by
-which name is in test_nonsense.py, what extremes are answered in test_extremes.py.
+Whatever is said: within the budget, with a status of the document, and by its schemas. Who is
+refused by which name is in test_nonsense.py, what extremes are answered in test_extremes.py.
 """
 
 import codecs
@@ -10,9 +10,6 @@ import json
 
 import pytest
 from document import ALWAYS_ON, OPERATIONS, RUNS, assert_described, body_of, parameters_of, query_of
-
-SECONDS = 2.0
-"""For any of these requests; the slowest, a table of a region's time steps, takes a fifth."""
 
 HUGE = "1" + "0" * 400
 DEEP = 100_000
@@ -94,11 +91,10 @@ def asked(service, name, query, body=None, kind="application/json"):
     to = address(name)
     if isinstance(query, str):
         to, query = f"{to}?{query}", None
-    response = service.promptly(
+    response = service.affordable(
         lambda: service.client.request(
             method, to, params=query or None, content=content, headers=headers
-        ),
-        SECONDS,
+        )
     )
     assert_described(name, response)
     return response

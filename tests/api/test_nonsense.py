@@ -1,10 +1,17 @@
-"""Nonsense in queries and bodies: always a prompt refusal in words, never a 5xx, never NaN."""
+"""Nonsense in queries and bodies: refused in words before any work, never a 5xx, never NaN."""
 
 import itertools
 import json
 
 import pytest
 from document import ALWAYS_ON, OPERATIONS, parameters_of, query_of
+from starlette.requests import Request
+
+from restitution.api.errors import RefusedParametersError
+from restitution.api.query import read_query
+from restitution.api.routes.collisions import _collide_many
+from restitution.api.schemas import CollisionQuery
+from work import calls_of
 
 COLLISION = {"kappa": "18", "mu_over_alpha": "1.4", "gt_over_gn": "0.4"}
 CALLS = {
@@ -43,7 +50,7 @@ def test_nonsense_is_refused_by_name_with_the_value_received(service, call, name
         if (name, nonsense) in MEANT:
             continue
         given = query_of(call) | {name: nonsense}
-        response = service.promptly(
+        response = service.affordable(
             lambda given=given: service.client.get(path, params={n: str(given[n]) for n in given})
         )
         listed = service.problem(response, 422)["errors"]
@@ -80,19 +87,19 @@ def test_stiffness_of_zero_is_refused(service, value):
 )
 @pytest.mark.parametrize("path", CALLS)
 def test_broken_queries_are_refused(service, path, query):
-    response = service.promptly(lambda: service.client.get(f"/api/v1{path}?{query}"))
+    response = service.affordable(lambda: service.client.get(f"/api/v1{path}?{query}"))
     service.problem(response, 422)
 
 
-def test_thousands_of_parameters_are_refused_promptly(service):
+def test_thousands_of_parameters_are_refused(service):
     query = "&".join(f"p{i}={i}" for i in range(5000))
-    response = service.promptly(lambda: service.client.get(f"/api/v1/collision?{query}"))
+    response = service.affordable(lambda: service.client.get(f"/api/v1/collision?{query}"))
     service.problem(response, 422)
 
 
 def test_counts_beyond_any_machine_are_refused(service):
     grid = {"mu_over_alpha": 1, "kappa_count": 10**15, "gt_over_gn_count": 10**15}
-    response = service.promptly(lambda: service.get("/map", **grid))
+    response = service.affordable(lambda: service.get("/map", **grid))
     service.problem(response, 413)
 
 
@@ -121,7 +128,7 @@ VALUES = {
 
 @pytest.mark.parametrize(("text", "value"), VALUES.items())
 def test_nonsense_in_a_body_is_refused_by_name(service, text, value):
-    response = service.promptly(lambda: service.post((BODY % text).encode()))
+    response = service.affordable(lambda: service.post((BODY % text).encode()))
     errors = service.problem(response, 422)["errors"]
     assert errors[0]["parameter"].startswith("kappa")
     assert errors[0]["value"] == value
@@ -131,7 +138,7 @@ def test_nonsense_in_a_body_is_refused_by_name(service, text, value):
 @pytest.mark.parametrize("inside", ["%s", "[%s, 18]"])
 def test_huge_integers_are_answered_or_refused_by_name(service, digits, inside):
     body = BODY % (inside % ("9" * digits))
-    response = service.promptly(lambda: service.post(body.encode()))
+    response = service.affordable(lambda: service.post(body.encode()))
     if digits < 308:
         assert response.status_code == 200
     else:
@@ -148,7 +155,7 @@ def test_huge_integers_are_answered_or_refused_by_name(service, digits, inside):
 )  # fmt: skip
 def test_deep_bodies_are_refused(service, template, opening, closing, depth):
     body = template % (opening * depth + "1" + closing * depth)
-    response = service.promptly(lambda: service.post(body.encode()))
+    response = service.affordable(lambda: service.post(body.encode()))
     assert response.status_code in {400, 422}
     service.problem(response, response.status_code)
 
@@ -172,9 +179,40 @@ BODIES = {
 
 
 @pytest.mark.parametrize("text", BODIES.values(), ids=BODIES)
-def test_monstrous_bodies_are_refused_promptly(service, text):
+def test_monstrous_bodies_are_refused(service, text):
     body = text.encode()
-    response = service.promptly(lambda: service.post(body))
+    response = service.affordable(lambda: service.post(body))
     service.problem(response, 422)
     # a refusal is for reading
     assert len(response.content) < 200_000
+
+
+LONGER_AND_LONGER = {
+    "unknown keys": lambda n: json.dumps({f"k{i}": i for i in range(n)}),
+    "unknown quantities": lambda n: '{"quantities": [' + ",".join(['"x"'] * n) + "]}",
+    "texts": lambda n: BODY % ("[" + ",".join(['"x"'] * n) + "]"),
+    "negative numbers": lambda n: BODY % ("[" + ",".join(["-1"] * n) + "]"),
+    "NaN": lambda n: BODY % ("[" + ",".join(["NaN"] * n) + "]"),
+    "letters": lambda n: BODY % ('"' + "x" * n + '"'),
+}
+
+
+@pytest.mark.parametrize("text", LONGER_AND_LONGER.values(), ids=LONGER_AND_LONGER)
+def test_refusing_a_body_takes_work_in_proportion_to_its_length(text):
+    def refused(length):
+        with pytest.raises(RefusedParametersError):
+            _collide_many(text(length).encode())
+
+    few, many = (calls_of(lambda n=n: refused(n)) for n in (4000, 8000))
+    assert many <= 2.1 * few
+
+
+def test_refusing_a_query_takes_work_in_proportion_to_its_length():
+    def refused(count):
+        text = "&".join(f"p{i}={i}" for i in range(count)).encode()
+        scope = {"type": "http", "path": "/api/v1/collision", "query_string": text, "headers": []}
+        with pytest.raises(RefusedParametersError):
+            read_query(Request(scope), CollisionQuery)
+
+    few, many = (calls_of(lambda n=n: refused(n)) for n in (1000, 2000))
+    assert many <= 2.1 * few

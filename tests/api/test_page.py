@@ -1,7 +1,6 @@
 """The page's files: who may load what, how small it comes over the wire, how long it is kept."""
 
 import os
-import time
 
 import brotli
 import pytest
@@ -68,7 +67,8 @@ def test_a_file_that_changed_since_it_was_compressed_comes_as_it_is_now(tmp_path
     script.write_text("// old")
     page.compress_page(tmp_path)
     script.write_text("// new, and longer than the old one")
-    os.utime(script, (time.time() + 10, time.time() + 10))
+    later = script.stat().st_mtime + 10
+    os.utime(script, (later, later))
     with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:
         answer = client.get("/static/script.js", headers={"Accept-Encoding": "br"})
     assert answer.text == "// new, and longer than the old one"

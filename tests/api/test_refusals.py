@@ -66,13 +66,13 @@ def test_malformed_json_is_400(service, body):
 
 def test_body_beyond_its_limit_is_413_with_the_limit(service):
     body = b'{"kappa": 18' + b" " * (40 * 2**20) + b"}"
-    problem = service.problem(service.promptly(lambda: service.post(body)), 413)
+    problem = service.problem(service.affordable(lambda: service.post(body)), 413)
     assert "40" in problem["detail"]
 
 
 def test_large_body_below_its_limit_is_read(service):
     body = b'{"kappa": 18, "mu_over_alpha": 1, "gt_over_gn": 1' + b" " * (30 * 2**20) + b"}"
-    assert service.promptly(lambda: service.post(body)).status_code == 200
+    assert service.affordable(lambda: service.post(body)).status_code == 200
 
 
 @pytest.mark.parametrize(
@@ -168,7 +168,7 @@ def test_detail_says_what_is_wrong_and_what_would_be_right(service, path, parame
 
 @pytest.mark.parametrize(("kappa_count", "gt_over_gn_count"), [(4000, 2500), (1001, 1000)])
 def test_too_large_maps_are_413_with_cost_and_limit(service, kappa_count, gt_over_gn_count):
-    problem = service.promptly(
+    problem = service.affordable(
         lambda: service.get(
             "/map", mu_over_alpha=1, kappa_count=kappa_count, gt_over_gn_count=gt_over_gn_count
         )

@@ -305,7 +305,7 @@ REQUESTS = st.fixed_dictionaries(
 
 
 def honest_or_refused(service, body):
-    response = service.promptly(lambda: service.post(body, path="/scaling"))
+    response = service.affordable(lambda: service.post(body, path="/scaling"))
     if response.status_code == 422:
         for error in service.problem(response, 422)["errors"]:
             assert error["parameter"]

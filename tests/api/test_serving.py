@@ -5,13 +5,13 @@ import json
 import os
 import re
 import signal
-import time
 import urllib.error
 import urllib.request
 
 import pytest
 
 from servers import serving
+from waiting import eventually
 
 COLLISION = "/api/v1/collision?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.4"
 LONG = (
@@ -19,6 +19,9 @@ LONG = (
     "&gt_over_gn_count=200&quantities=switches"
 )
 """A second or so of both cores."""
+
+TRIES = 20
+"""Of what shall be seen while a long request is under way, which may be over before we look."""
 
 
 @pytest.fixture(scope="module")
@@ -35,11 +38,11 @@ def double(tmp_path_factory):
         yield server
 
 
-def until(holds, seconds=20.0):
-    deadline = time.monotonic() + seconds
-    while not holds():
-        assert time.monotonic() < deadline, "it never came about"
-        time.sleep(0.05)
+def until(holds):
+    def check():
+        assert holds(), "it never came about"
+
+    eventually(check)
 
 
 def test_saturation_is_told_with_the_time_to_come_again(single):
@@ -58,25 +61,37 @@ def test_saturation_is_told_with_the_time_to_come_again(single):
 
 
 def test_quick_requests_are_served_beside_long_ones(single):
-    with concurrent.futures.ThreadPoolExecutor(1) as pool:
-        long = pool.submit(single.get, f"{LONG}&floor=0.9")
-        begin = time.perf_counter()
-        for _ in range(5):
-            assert single.get(COLLISION)[0] == 200
-        assert not long.done()
-        # five one after another; each may find the other cores busy
-        assert time.perf_counter() - begin < 2.0
-        assert long.result()[0] == 200
+    def overtaken(turn):
+        with concurrent.futures.ThreadPoolExecutor(1) as pool:
+            long = pool.submit(single.get, f"{LONG}&floor=0.9{turn}")
+            until(lambda: long.done() or single.metric("restitution_computations") == 1)
+            assert [single.get(COLLISION)[0] for _ in range(5)] == [200] * 5
+            before = not long.done()
+            assert long.result()[0] == 200
+        return before
+
+    assert any(overtaken(turn) for turn in range(TRIES))
 
 
 def test_work_of_a_client_that_hangs_up_stops(single):
-    until(lambda: single.metric("restitution_computations") == 0)
-    connection = single.send(f"GET {LONG}&floor=0.7 HTTP/1.1\r\nHost: x\r\n\r\n")
-    until(lambda: single.metric("restitution_computations") == 1)
-    connection.close()
-    begin = time.perf_counter()
-    until(lambda: single.metric("restitution_computations") == 0)
-    assert time.perf_counter() - begin < 0.5
+    computed = r'restitution_compute_seconds_count\{call="map"\}'
+
+    def called_off(turn):
+        until(lambda: single.metric("restitution_computations") == 0)
+        before = single.metric(computed)
+        text = f"GET {LONG}&floor=0.7{turn} HTTP/1.1\r\nHost: x\r\n\r\n"
+        with single.send(text) as connection:
+            until(
+                lambda: (
+                    single.metric("restitution_computations") == 1
+                    or single.metric(computed) > before
+                )
+            )
+            connection.close()
+        until(lambda: single.metric("restitution_computations") == 0)
+        return single.metric(computed) == before
+
+    assert any(called_off(turn) for turn in range(TRIES))
 
 
 def test_clients_that_send_a_byte_at_a_time_harm_nobody(single):
@@ -162,11 +177,9 @@ def test_stop_lets_requests_in_flight_finish(tmp_path, workers):
     with serving(tmp_path, workers=workers) as server:
         with concurrent.futures.ThreadPoolExecutor(1) as pool:
             asked = pool.submit(server.get, LONG)
-            until(lambda: server.metric("restitution_computations") >= 1)
-            begin = time.monotonic()
+            until(lambda: asked.done() or server.metric("restitution_computations") >= 1)
             server.process.send_signal(signal.SIGTERM)
             assert asked.result()[0] == 200
-        server.process.wait(timeout=10)
-        assert time.monotonic() - begin < 10
+        until(lambda: server.process.poll() is not None)
         with pytest.raises((ConnectionError, urllib.error.URLError)):
             server.get("/healthz")

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import time
 
 import numpy as np
 import pytest
@@ -12,6 +11,7 @@ from restitution.api.app import create_app
 from restitution.api.settings import Settings
 from restitution.studies import candidates as every
 from restitution.studies import tradeoff
+from waiting import eventually
 
 SCENES = ("figure4", "stiff", "solids", "damped", "extremes")
 
@@ -77,16 +77,18 @@ def ask(service, method, path, status):
 
 
 def finished(service, run):
-    deadline = time.monotonic() + 60
     seen = [0.0]
-    while time.monotonic() < deadline:
-        run = ask(service, "GET", f"/tradeoff/runs/{run['id']}", 200)
-        assert seen[-1] <= run["progress"] <= 1.0
-        seen.append(run["progress"])
-        if run["state"] != "running":
-            return run
-        time.sleep(0.02)
-    pytest.fail("the run did not end")
+
+    def over():
+        now = ask(service, "GET", f"/tradeoff/runs/{run['id']}", 200)
+        seen.append(now["progress"])
+        assert now["state"] != "running"
+        return now
+
+    found = eventually(over)
+    assert seen == sorted(seen)
+    assert seen[-1] <= 1.0
+    return found
 
 
 def test_a_run_measures_and_reports_its_progress(measuring):

@@ -67,14 +67,14 @@ def test_a_material_is_a_body_of_a_map_with_two_ranges(service):
         mapped(service, item | ranges)
 
 
-def test_default_map_is_prompt_at_the_tolerance_of_a_picture(service):
+def test_default_map_follows_nothing_at_the_tolerance_of_a_picture(service):
     body = FIGURE_2 | {"tolerance": 4e-3, "quantities": ["epsilon_t"]}
     body |= {
         "normal_velocity_m_s": {"min": 0.1, "max": 200},
         "tangential_velocity_m_s": {"min": 0, "max": 200},
     }
     answer = service.read(
-        service.promptly(lambda: service.post(body, path="/scaling/map", encoding="base64"))
+        service.affordable(lambda: service.post(body, path="/scaling/map", encoding="base64"))
     )
     assert answer["epsilon_t"]["shape"] == "150,200"
     assert answer["tolerance_met"] is True
@@ -158,7 +158,7 @@ def test_extreme_velocities_are_answered_or_refused_in_words(service, scale, nor
             "min": tangential[0], "max": tangential[1], "count": 3, "scale": scale
         },
     }  # fmt: skip
-    response = service.promptly(lambda: service.post(body, path="/scaling/map"))
+    response = service.affordable(lambda: service.post(body, path="/scaling/map"))
     if response.status_code == 422:
         assert "double precision" in service.problem(response, 422)["detail"]
         return

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from set_up_nginx import nginx_of_machine
 
 from servers import free_port, is_open, wait_until
+from waiting import LIMIT_SECONDS
 
 ROOT = Path(__file__).parents[2]
 TEMPLATE = (ROOT / "deploy" / "nginx.conf.template").read_text(encoding="utf-8")
@@ -33,7 +34,7 @@ class Proxy(NamedTuple):
     folder: Path
 
     def ask(self, path: str, method: str = "GET", body: object = None, **headers: str) -> Answer:
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=60)
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=LIMIT_SECONDS)
         try:
             named = {name.replace("_", "-"): value for name, value in headers.items()}
             connection.request(method, path, body, named)
@@ -50,8 +51,15 @@ class Proxy(NamedTuple):
         return self.ask("/api/v1/collisions", "POST", body, Content_Type="application/json")
 
 
-def filled_in(ports: list[int], listen: int, concurrency: int) -> str:
-    """Return the template as nginx's image fills it in, for `ports` of this machine."""
+def filled_in(ports: list[int], listen: int, concurrency: int, limits: dict[str, str]) -> str:
+    """Return the template as nginx's image fills it in, for `ports` of this machine.
+
+    `limits` are directives whose times are others in a test, so that it depends on none.
+    """
+    template = TEMPLATE
+    for directive, time in limits.items():
+        template, found = re.subn(rf"\b{directive} \w+;", f"{directive} {time};", template)
+        assert found, directive
     values = {
         "LISTEN": f"127.0.0.1:{listen}",
         "RESOLVER": "127.0.0.1",
@@ -59,16 +67,18 @@ def filled_in(ports: list[int], listen: int, concurrency: int) -> str:
         "CONCURRENCY": str(concurrency),
         "CONCURRENCY_PER_ADDRESS": str(concurrency),
     }
-    return re.sub(r"\$\{RESTITUTION_PROXY_(\w+)\}", lambda name: values[name[1]], TEMPLATE)
+    return re.sub(r"\$\{RESTITUTION_PROXY_(\w+)\}", lambda name: values[name[1]], template)
 
 
 @contextmanager
-def nginx(folder: Path, ports: list[int], concurrency: int = 1024) -> Iterator[Proxy]:
+def nginx(
+    folder: Path, ports: list[int], concurrency: int = 1024, **limits: str
+) -> Iterator[Proxy]:
     """Run nginx before servers on `ports`."""
     port = free_port()
     folder.mkdir()
     configuration = folder / "nginx.conf"
-    configuration.write_text(filled_in(ports, port, concurrency))
+    configuration.write_text(filled_in(ports, port, concurrency, limits))
     # root's workers would become a user who may not enter pytest's folders
     globals_ = "daemon off;" + ("user root;" if os.geteuid() == 0 else "")
     with (
@@ -84,4 +94,4 @@ def nginx(folder: Path, ports: list[int], concurrency: int = 1024) -> Iterator[P
             yield Proxy(port, folder)
         finally:
             process.terminate()
-            process.wait(timeout=10)
+            process.wait(timeout=LIMIT_SECONDS)

@@ -6,11 +6,11 @@ import json
 import re
 import socket
 import threading
-import time
 from collections.abc import Callable, Iterator
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import ExitStack, contextmanager, suppress
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from itertools import islice
 from typing import NamedTuple
 
 import pytest
@@ -18,12 +18,10 @@ import uvicorn
 from proxy import COLLISION, NGINX, TEMPLATE, Answer, Proxy, nginx
 
 from servers import Serving, serving
+from waiting import LIMIT_SECONDS
 
 TRACE = "/api/v1/trace?mu_over_alpha=1.4&gt_over_gn=1.358&kappa="
 CUT = "/api/v1/cut?along=kappa&gt_over_gn=1.358&mu_over_alpha="
-CLIENT_SECONDS = 10
-"""What the template grants a client for its headers, and between two pieces of a body."""
-
 pytestmark = pytest.mark.skipif(not NGINX, reason="there is no nginx: `make test` installs one")
 
 
@@ -49,17 +47,35 @@ def launch(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[], Cl
 
 
 @pytest.fixture(scope="module")
-def proxy(launch: Callable[[], Cluster]) -> Proxy:
-    return launch().proxy
+def cluster(launch: Callable[[], Cluster]) -> Cluster:
+    return launch()
+
+
+@pytest.fixture(scope="module")
+def proxy(cluster: Cluster) -> Proxy:
+    return cluster.proxy
+
+
+class Stub(NamedTuple):
+    """A server that answers everything alike, once it may."""
+
+    port: int
+    may_answer: threading.Event
+    asked: threading.Semaphore
+    """Released by every request that arrives."""
 
 
 @contextmanager
-def stub(status: int, headers: dict[str, str], seconds: float = 0.0) -> Iterator[int]:
-    """Run a server that answers everything alike, after a while; its port."""
+def stub(status: int, headers: dict[str, str], *, held: bool = False) -> Iterator[Stub]:
+    """Run a server; one that is `held` answers nothing until it is said that it may."""
+    may_answer, asked = threading.Event(), threading.Semaphore(0)
+    if not held:
+        may_answer.set()
 
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
-            time.sleep(seconds)
+            asked.release()
+            may_answer.wait(LIMIT_SECONDS)
             self.send_response(status)
             for name, value in {"Content-Length": "2", **headers}.items():
                 self.send_header(name, value)
@@ -71,8 +87,11 @@ def stub(status: int, headers: dict[str, str], seconds: float = 0.0) -> Iterator
 
     with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield server.server_port
-        server.shutdown()
+        try:
+            yield Stub(server.server_port, may_answer, asked)
+        finally:
+            may_answer.set()
+            server.shutdown()
 
 
 def assert_problem(answer: Answer, status: int) -> None:
@@ -172,7 +191,7 @@ def test_every_answer_bears_the_name_of_its_own_request(proxy):
 
 def test_answer_from_the_cache_does_not_bear_the_name_of_the_first_request(tmp_path):
     headers = {"Cache-Control": "public, max-age=86400", "X-Request-ID": "f" * 32}
-    with stub(200, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
+    with stub(200, headers) as server, nginx(tmp_path / "nginx", [server.port]) as proxy:
         answers = [proxy.ask("/api/", X_Request_ID=digit * 32) for digit in "12"]
     assert [a.headers["X-Cache-Status"] for a in answers] == ["MISS", "HIT"]
     assert [a.headers.get_all("X-Request-ID") for a in answers] == [["1" * 32], ["2" * 32]]
@@ -214,27 +233,45 @@ def test_log_names_no_address_of_a_client():
     assert not re.search(r"\$(remote|realip|proxy_protocol|http_|args|request_uri)", log_format)
 
 
-def test_slow_clients_are_let_go_and_hold_up_nobody(proxy):
-    def linger(beginning: bytes) -> float:
-        """Return after how long the connection of a client that says no more is closed."""
-        with socket.create_connection(("127.0.0.1", proxy.port), timeout=60) as client:
-            client.sendall(beginning)
-            begin = time.monotonic()
-            with suppress(ConnectionResetError):
-                while client.recv(1000):
-                    pass
-            return time.monotonic() - begin
+BEGINNINGS = {
+    "client_header_timeout": b"GET /api/v1/presets HTTP/1.1\r\nHost: a\r\nX-Slow: ",
+    "client_body_timeout": (
+        b"POST /api/v1/collisions HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\n{"
+    ),
+}
+"""Limit → what a client sends that then says no more."""
 
-    headers = b"GET /api/v1/presets HTTP/1.1\r\nHost: a\r\nX-Slow: "
-    body = b"POST /api/v1/collisions HTTP/1.1\r\nHost: a\r\nContent-Length: 100\r\n\r\n{"
-    with ThreadPoolExecutor(40) as pool:
-        slow = [pool.submit(linger, text) for text in [headers, body] * 20]
-        time.sleep(0.5)
-        begin = time.monotonic()
+
+def silent(proxy: Proxy, beginning: bytes) -> socket.socket:
+    client = socket.create_connection(("127.0.0.1", proxy.port), timeout=LIMIT_SECONDS)
+    client.sendall(beginning)
+    return client
+
+
+def test_slow_clients_hold_up_nobody(tmp_path, cluster):
+    limits = dict.fromkeys(BEGINNINGS, "1h")
+    with ExitStack() as stack:
+        ports = [server.port for server in cluster.servers]
+        proxy = stack.enter_context(nginx(tmp_path / "nginx", ports, **limits))
+        for beginning in [*BEGINNINGS.values()] * 20:
+            stack.enter_context(silent(proxy, beginning))
         assert [proxy.collide(20 + i).status for i in range(20)] == [200] * 20
-        assert time.monotonic() - begin < 5
-        for closed in slow:
-            assert CLIENT_SECONDS - 2 < closed.result() < CLIENT_SECONDS + 5
+
+
+@pytest.mark.parametrize(("limit", "beginning"), BEGINNINGS.items())
+def test_slow_clients_are_let_go(tmp_path, limit, beginning):
+    (seconds,) = re.findall(rf"{limit} (\d+)s;", TEMPLATE)
+    assert 5 <= int(seconds) <= 60
+    limits = dict.fromkeys(BEGINNINGS, "1h") | {limit: "1s"}
+    with (
+        stub(200, {}) as server,
+        nginx(tmp_path / "nginx", [server.port], **limits) as proxy,
+        silent(proxy, beginning) as client,
+        suppress(ConnectionResetError),
+    ):
+        # until it is closed
+        while client.recv(1000):
+            pass
 
 
 def test_connections_are_not_reused_when_the_server_may_be_closing_them():
@@ -245,7 +282,7 @@ def test_connections_are_not_reused_when_the_server_may_be_closing_them():
 
 def test_saturated_server_is_passed_on(tmp_path):
     headers = {"Retry-After": "7", "Content-Type": "application/problem+json"}
-    with stub(503, headers) as port, nginx(tmp_path / "nginx", [port]) as proxy:
+    with stub(503, headers) as server, nginx(tmp_path / "nginx", [server.port]) as proxy:
         for _ in range(3):
             answer = proxy.collide(1)
             assert (answer.status, answer.body) == (503, b"{}")
@@ -253,23 +290,32 @@ def test_saturated_server_is_passed_on(tmp_path):
 
 
 def test_more_requests_at_once_than_allowed_are_refused(tmp_path):
-    with stub(200, {}, seconds=1.0) as port, nginx(tmp_path / "nginx", [port], 2) as proxy:
-        with ThreadPoolExecutor(5) as pool:
-            answers = list(pool.map(proxy.collide, range(5)))
-        assert sorted(answer.status for answer in answers) == [200, 200, 503, 503, 503]
-        for answer in answers:
-            if answer.status == 503:
-                assert_problem(answer, 503)
+    with (
+        stub(200, {}, held=True) as server,
+        nginx(tmp_path / "nginx", [server.port], 2) as proxy,
+        ThreadPoolExecutor(5) as pool,
+    ):
+        asked = [pool.submit(proxy.collide, i) for i in range(5)]
+        for refused in islice(as_completed(asked), 3):
+            assert_problem(refused.result(), 503)
+        server.may_answer.set()
+        assert sorted(one.result().status for one in asked) == [200, 200, 503, 503, 503]
 
 
 def test_equal_requests_at_once_are_computed_once(tmp_path):
     headers = {"Cache-Control": "public, max-age=86400"}
     with (
-        stub(200, headers, seconds=0.5) as port,
-        nginx(tmp_path / "nginx", [port]) as proxy,
+        stub(200, headers, held=True) as server,
+        nginx(tmp_path / "nginx", [server.port], proxy_cache_lock_timeout="1h") as proxy,
         ThreadPoolExecutor(8) as pool,
     ):
-        states = [a.headers["X-Cache-Status"] for a in pool.map(proxy.collide, [1] * 8)]
+        asked = [pool.submit(proxy.collide, 1) for _ in range(8)]
+        server.asked.acquire()
+        # answered by nginx itself, and so after it has read the others
+        for _ in range(50):
+            assert proxy.ask("/metrics").status == 404
+        server.may_answer.set()
+        states = [one.result().headers["X-Cache-Status"] for one in asked]
     assert sorted(states) == ["HIT"] * 7 + ["MISS"]
 
 

@@ -29,6 +29,7 @@ from restitution.export.zarr_store import (
 from restitution.studies.axis import Axis
 from restitution.studies.table_export import study_table
 from restitution.studies.table_grid import TableGrid
+from waiting import LIMIT_SECONDS
 
 PLANE = TableGrid(Axis(0.5, 30.0, 90, "log"), Axis(0.05, 3.0, 70, "log"), 0.0)
 DAMPED_PLANE = TableGrid(Axis(0.5, 30.0, 90, "log"), Axis(0.0, 3.0, 70), 0.2)
@@ -151,7 +152,7 @@ def test_killed_run_goes_on_with_what_is_missing(tmp_path, cluster, undisturbed)
                 process.kill()
                 break
     # they notice, instead of going on by themselves
-    _, alive = psutil.wait_procs(workers, timeout=30)
+    _, alive = psutil.wait_procs(workers, timeout=LIMIT_SECONDS)
     assert not alive
     before = times_of_chunks(path)
     missing, total = missing_chunks(path)

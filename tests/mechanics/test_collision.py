@@ -1,7 +1,5 @@
 """The exact collision: against 60-digit arithmetic, at the extremes, and by its laws."""
 
-import time
-
 import numpy as np
 import pytest
 from hypothesis import example, given
@@ -57,9 +55,8 @@ def test_switches_are_uncertain_at_the_border_of_pure_sliding():
 @example(LARGEST, 1.9999999999999998)
 @example(1e-308, 1.03e308)
 def test_every_pair_of_doubles_has_an_answer(kappa, psi):
-    begin = time.thread_time()
     result = collide(kappa, psi)
-    assert time.thread_time() - begin < 0.05
+    assert result.switches == TOO_STIFF or result.switches <= MOST_SWITCHES
     assert -1.0 <= result.epsilon_t <= 1.0
     assert 0.0 <= result.error_bound <= 1.0
 
@@ -79,12 +76,10 @@ def test_number_of_switches_is_even_and_no_more_than_expected(kappa, psi):
     assert result.switches <= expected_switch_counts(np.array([kappa]), np.array([psi]))[0]
 
 
-def test_largest_followed_collision_stays_within_its_time():
+def test_largest_followed_collision_stays_within_its_switches():
     kappa = 2e9
     assert expected_switch_counts(np.array([kappa]), np.array([1.0]))[0] > 0.5 * MOST_SWITCHES
-    begin = time.thread_time()
-    assert collide(kappa, 1.0).switches > 10_000
-    assert time.thread_time() - begin < 0.05
+    assert 10_000 < collide(kappa, 1.0).switches <= MOST_SWITCHES
 
 
 @given(by_decades(-4, 5), by_decades(-5, 1), st.floats(1e-6, 1e3))

@@ -1,14 +1,12 @@
 """The damped collision: against high precision, at the extremes, and by its laws."""
 
-import time
-
 import numpy as np
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
 from restitution.errors import ParameterError
-from restitution.mechanics.collision import TOO_STIFF, collide
+from restitution.mechanics.collision import MOST_SWITCHES, TOO_STIFF, collide
 from restitution.mechanics.damped import (
     collide_damped,
     damped_bound,
@@ -149,13 +147,11 @@ def test_vanishing_velocity_is_a_free_swing():
 @example(LARGEST, 1.8, 1e-300)
 @example(LARGEST, 1.9999999999999998, 1e-300)
 def test_every_triple_of_doubles_has_an_answer(kappa, psi, damping):
-    normal_contact(damping)
-    begin = time.thread_time()
     result = collide_damped(kappa, psi, damping)
-    assert time.thread_time() - begin < 0.1
     assert -1.0 <= result.epsilon_t <= 1.0
     assert 0.0 <= result.error_bound <= 1.0
     assert result.switches == TOO_STIFF or result.switches % 2 == 1
+    assert result.switches <= MOST_SWITCHES
 
 
 def test_expected_switches_are_no_fewer_than_counted():

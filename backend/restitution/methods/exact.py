@@ -15,7 +15,9 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Answer, Options
 
 MOST_SWITCHES_PER_REQUEST = 20_000_000
-"""About four seconds of one core, at 0.2 µs for a switch."""
+"""About four seconds of one core."""
+
+SECONDS_FOR_A_SWITCH = 2e-7
 
 DEARER_BY_DAMPING = 4.0
 """Cost of a switch with damping over one without, rounded up from 3.5."""
@@ -25,7 +27,7 @@ def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     """Return about how many seconds of one core it takes to follow collisions (N,)."""
     expected = expected_counts(kappa, psi, damping)
     switches = float(np.sum(expected[expected <= MOST_SWITCHES]))
-    return 2e-7 * switches * (DEARER_BY_DAMPING if damping else 1.0)
+    return SECONDS_FOR_A_SWITCH * switches * (DEARER_BY_DAMPING if damping else 1.0)
 
 
 def budget(damping: float, share: float = 1.0) -> float:

@@ -30,6 +30,9 @@ METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
 
 QUICK_SECONDS = 2e-3
 
+SECONDS_FOR_A_STEP = 1.5e-8
+"""Of one collision alone."""
+
 EPSILON_T_ALONE = frozenset(
     {"epsilon_t", "epsilon_n", "coulomb", "stiff_bound", "stiff_asymptote", "estimates"}
 )
@@ -138,4 +141,5 @@ def is_quick(kappa: float, psi: float, options: Options) -> bool:
     switches = switches if switches <= MOST_SWITCHES else 0.0
     steps = options.steps if options.method == "timestep" else 0
     dearer = exact.DEARER_BY_DAMPING if options.damping else 1.0
-    return 2e-7 * dearer * switches + 1.5e-8 * steps < QUICK_SECONDS
+    following = exact.SECONDS_FOR_A_SWITCH * dearer * switches
+    return following + SECONDS_FOR_A_STEP * steps < QUICK_SECONDS

@@ -1,0 +1,69 @@
+"""How often the equations are evaluated until a switch is found, counted in interpreted kernels."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+
+from restitution.mechanics.switching import MOST_STEPS
+
+COUNT = """
+import json, sys, warnings
+import numpy as np
+from restitution.mechanics import collision, damped, viscoelastic
+
+# overflow and division by zero, which compiled kernels pass over, too
+warnings.simplefilter("ignore")
+evaluations = 0
+
+def note(frame, event, _):
+    global evaluations
+    evaluations += event == "call" and frame.f_code.co_name in {"normal_motion", "damped_motion"}
+
+found = []
+for kappa, psi, damping in json.load(sys.stdin):
+    one = [np.array([kappa]), np.array([psi]), float(collision.MOST_SWITCHES)]
+    out = [np.empty(1), np.empty(1, np.int32), np.empty(1, np.bool_), np.empty(1)]
+    contact = [viscoelastic.normal_contact(damping)] if damping else []
+    evaluations = 0
+    sys.setprofile(note)
+    (damped if damping else collision)._collide_each(*contact, *one, *out)
+    sys.setprofile(None)
+    found.append((evaluations, int(out[1][0])))
+json.dump(found, sys.stdout)
+"""
+
+ENDS = (5e-324, 1e-300, 1e-100, 1e-16, 0.57, 1.57, 2.0, 1e3, 1e16, 1e100, 1e300, 1.797e308)
+PSIS = (5e-324, 1e-300, 1e-100, 1e-6, 0.5, 1.9999999999999998, 2.0, 1e16, 1.797e308)
+ORDINARY = [(0.1 * 7**i, 0.01 * 3**j) for i in range(5) for j in range(6)]
+
+
+def counted(collisions):
+    """Return the evaluations and the switches of collisions (κ, ψ, η)."""
+    run = subprocess.run(
+        [sys.executable, "-c", COUNT],
+        env=os.environ | {"NUMBA_DISABLE_JIT": "1"},
+        input=json.dumps(collisions),
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    return json.loads(run.stdout)
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.3])
+def test_extremes_take_no_more_evaluations_than_one_bracket_can_be_halved(damping):
+    pairs = [(kappa, psi) for kappa in ENDS for psi in PSIS]
+    found = counted([(kappa, psi, damping) for kappa, psi in pairs])
+    assert len(found) == len(pairs)
+    # most is 393; the stiffest of these that are followed have 50 switches
+    assert max(evaluations for evaluations, _ in found) <= MOST_STEPS
+
+
+@pytest.mark.parametrize(("damping", "most"), [(0.0, 8.0), (0.3, 28.0)])
+def test_ordinary_collisions_take_few_evaluations_for_a_switch(damping, most):
+    found = counted([(kappa, psi, damping) for kappa, psi in ORDINARY])
+    assert sum(switches > 1 for _, switches in found) >= 10
+    assert max(evaluations / (switches + 2) for evaluations, switches in found) <= most
