@@ -51,7 +51,7 @@ def fuzz(server, folder, cases, *options):
     if done.returncode or found["failures"] or found["errors"] or not found["complete"]:
         pytest.fail(done.stdout[-20_000:])
     assert found["operations"]["tested"] == found["operations"]["total"]
-    assert all(phase["status"] == "success" for phase in found["phases"].values())
+    assert {phase["status"] for phase in found["phases"].values()} <= {"success", "skip"}
     return found
 
 
@@ -61,8 +61,11 @@ def idle(found, phase):
 
 
 def test_service_is_as_described(server, tmp_path):
-    found = fuzz(server, tmp_path, 20, "--generation-deterministic")
-    assert found["test_cases"]["generated"] >= 500
+    # the systematic cases take ten times as long; `make verify` has them, and our own are in
+    # test_nonsense.py and test_hostile_input.py
+    phases = "--phases=examples,fuzzing,stateful"
+    found = fuzz(server, tmp_path, 20, "--generation-deterministic", phases)
+    assert found["test_cases"]["generated"] >= 200
     # fuzzing that is refused at the door would find nothing behind it
     assert idle(found, "fuzzing") <= OFF | NESTED
 
@@ -72,6 +75,7 @@ def test_service_is_as_described_in_many_more_cases(tmp_path):
     with serving(tmp_path, tradeoff_runs=True) as running:
         # the only DELETE cancels a run, which goes on to tell how far it got: it is not gone
         found = fuzz(running.url, tmp_path, 600, "--exclude-checks=use_after_free")
+    assert {phase["status"] for phase in found["phases"].values()} == {"success"}
     assert found["test_cases"]["generated"] >= 10_000
     assert idle(found, "fuzzing") == set()
     assert "Traceback" not in (tmp_path / "log").read_text()

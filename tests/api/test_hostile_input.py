@@ -11,6 +11,8 @@ import json
 import pytest
 from document import ALWAYS_ON, OPERATIONS, RUNS, assert_described, body_of, parameters_of, query_of
 
+from restitution.studies import steps
+
 HUGE = "1" + "0" * 400
 DEEP = 100_000
 
@@ -69,6 +71,14 @@ KINDS = {
     "": 415,
     ";": 415,
 }
+
+
+@pytest.fixture(autouse=True)
+def few_steps(monkeypatch):
+    """What a ladder of time steps gives is in test_steps.py; here it is climbed a hundred times."""
+    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
+    monkeypatch.setattr(steps, "MOST_STEPS", 100)
+
 
 POSTS = [name for name in ALWAYS_ON if body_of(name)]
 every_post = pytest.mark.parametrize("name", POSTS)

@@ -172,14 +172,15 @@ def test_a_killed_process_is_replaced_and_the_others_go_on(double):
     assert double.get("/readyz")[0] in {200, 503}
 
 
-@pytest.mark.parametrize("workers", [1, 2])
-def test_stop_lets_requests_in_flight_finish(tmp_path, workers):
-    with serving(tmp_path, workers=workers) as server:
-        with concurrent.futures.ThreadPoolExecutor(1) as pool:
-            asked = pool.submit(server.get, LONG)
-            until(lambda: asked.done() or server.metric("restitution_computations") >= 1)
-            server.process.send_signal(signal.SIGTERM)
-            assert asked.result()[0] == 200
-        until(lambda: server.process.poll() is not None)
-        with pytest.raises((ConnectionError, urllib.error.URLError)):
-            server.get("/healthz")
+@pytest.mark.parametrize("running", ["single", "double"])
+def test_stop_lets_requests_in_flight_finish(request, running):
+    """The end of both servers, and so of this module."""
+    server = request.getfixturevalue(running)
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        asked = pool.submit(server.get, f"{LONG}&floor=0.5")
+        until(lambda: asked.done() or server.metric("restitution_computations") >= 1)
+        server.process.send_signal(signal.SIGTERM)
+        assert asked.result()[0] == 200
+    until(lambda: server.process.poll() is not None)
+    with pytest.raises((ConnectionError, urllib.error.URLError)):
+        server.get("/healthz")

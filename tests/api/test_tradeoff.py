@@ -2,6 +2,7 @@
 
 import csv
 import io
+import threading
 
 import numpy as np
 import pytest
@@ -10,8 +11,8 @@ from starlette.testclient import TestClient
 from restitution.api.app import create_app
 from restitution.api.settings import Settings
 from restitution.studies import candidates as every
-from restitution.studies import tradeoff
-from waiting import eventually
+from restitution.studies import steps, tradeoff
+from waiting import LIMIT_SECONDS, eventually
 
 SCENES = ("figure4", "stiff", "solids", "damped", "extremes")
 
@@ -63,9 +64,11 @@ def test_measuring_anew_is_off_unless_enabled(service, method, path):
 
 @pytest.fixture
 def measuring(service, monkeypatch):
-    """A service that may measure, with few and small candidates."""
+    """A service that may measure, with few and small candidates and a short ladder of steps."""
     few = [c for c in every.candidates() if c.method in {"exact", "stiff"}]
-    monkeypatch.setattr(tradeoff, "candidates", lambda **_: few * 20)
+    monkeypatch.setattr(tradeoff, "candidates", lambda **_: few)
+    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
+    monkeypatch.setattr(steps, "MOST_STEPS", 100)
     return type(service)(TestClient(create_app(Settings(tradeoff_runs=True))))
 
 
@@ -101,14 +104,22 @@ def test_a_run_measures_and_reports_its_progress(measuring):
     assert done["state"] == "done"
     assert done["progress"] == 1.0
     assert done["result"]["scene"] == "solids"
-    assert len(done["result"]["rows"]) == 40
+    assert [row["method"] for row in done["result"]["rows"]] == ["exact", "stiff"]
 
 
-def test_one_run_at_a_time_which_can_be_cancelled(measuring):
+def test_one_run_at_a_time_which_can_be_cancelled(measuring, monkeypatch):
+    go, measure = threading.Event(), tradeoff.measure
+
+    def held(*given):
+        assert go.wait(LIMIT_SECONDS)
+        return measure(*given)
+
+    monkeypatch.setattr(tradeoff, "measure", held)
     run = ask(measuring, "POST", "/tradeoff/runs?scene=stiff", 202)
     problem = measuring.problem(measuring.post({}, path="/tradeoff/runs"), 409)
     assert "under way" in problem["detail"]
     ask(measuring, "DELETE", f"/tradeoff/runs/{run['id']}", 200)
+    go.set()
     over = finished(measuring, run)
     assert over["state"] == "cancelled"
     assert over["result"] is None
