@@ -9,8 +9,10 @@ import sys
 import urllib.error
 import urllib.request
 from collections.abc import Callable
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+
+import psutil
 
 from waiting import LIMIT_SECONDS, eventually
 
@@ -70,7 +72,19 @@ def serving(folder, **settings):
             wait_until_ready(f"http://127.0.0.1:{port}", process, log)
             yield Serving(process, port, log)
         finally:
-            process.kill()
+            kill_with_children(process)
+
+
+def kill_with_children(process: subprocess.Popen[bytes]) -> None:
+    """Kill a process and those that it started, which would go on without it."""
+    family = []
+    if process.poll() is None:
+        parent = psutil.Process(process.pid)
+        family = [parent, *parent.children(recursive=True)]
+    for member in family:
+        # one may have ended by itself meanwhile
+        with suppress(psutil.NoSuchProcess):
+            member.kill()
 
 
 def free_port() -> int:
