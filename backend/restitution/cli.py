@@ -36,8 +36,8 @@ LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
 
 LONGEST_SILENCE = 60
-"""Seconds after which a worker that says nothing is replaced. It is silent while it imports, which
-on a busy machine takes longer than uvicorn's five: it was then replaced for ever."""
+"""Seconds after which a worker that says nothing is replaced. On a busy machine uvicorn's five may
+go by before it can say anything: it was then replaced for ever."""
 
 
 @click.group()
@@ -55,6 +55,8 @@ def serve(host: str, port: int) -> None:
         if (workers := Settings().workers) > 1:
             # where the processes add up their counts
             os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
+            # a worker would import this script, and all that it needs, before it says that it lives
+            vars(sys.modules["__main__"]).pop("__file__", None)
         uvicorn.run(
             "restitution.api.app:create_service",
             factory=True,

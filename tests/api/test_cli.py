@@ -3,6 +3,9 @@
 import csv
 import io
 import json
+import sys
+import types
+from multiprocessing import spawn
 
 import pytest
 from click.testing import CliRunner
@@ -117,3 +120,21 @@ def test_table_refuses_in_words(arguments, words):
     assert done.exit_code != 0
     assert words in done.stderr
     assert "Traceback" not in done.output
+
+
+def test_workers_may_be_silent_and_do_not_import_this_script(monkeypatch):
+    told = {}
+
+    def run(_, **settings):
+        told.update(settings, main=spawn.get_preparation_data("worker").get("init_main_from_path"))
+
+    script = types.ModuleType("__main__")
+    script.__file__ = "/bin/restitution"
+    monkeypatch.setitem(sys.modules, "__main__", script)
+    monkeypatch.setenv("PROMETHEUS_MULTIPROC_DIR", "restored")
+    monkeypatch.setenv("RESTITUTION_WORKERS", "2")
+    monkeypatch.setattr("uvicorn.run", run)
+    CliRunner().invoke(main, ["serve"], catch_exceptions=False)
+    assert told["workers"] == 2
+    assert told["main"] is None
+    assert told["timeout_worker_healthcheck"] >= 60
