@@ -2,17 +2,11 @@
 
 import json
 import math
-import time
 import urllib.parse
 import urllib.request
-from collections.abc import Callable
-from typing import TypeVar
 
 from playwright.sync_api import Page, Request
-
-T = TypeVar("T")
-
-SETTLED_SECONDS = 10
+from rest import eventually
 
 PARAMETERS = {"kappa": "kappa", "mu-over-alpha": "mu_over_alpha", "gt-over-gn": "gt_over_gn"}
 
@@ -50,6 +44,7 @@ def collision_of(page: Page) -> dict[str, float]:
     """The parameters that the address bar holds."""
     query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
     names = [*PARAMETERS.values(), *(["damping"] if "damping" in query else [])]
+    assert query.keys() >= set(names), f"{page.url} does not hold the state"
     return {name: float(query[name][0]) for name in names}
 
 
@@ -145,10 +140,11 @@ def percentage(energy: dict[str, float]) -> str:
 
 def settle(page: Page, server: str) -> None:
     """Wait until the page shows the truth about its own parameters."""
-    deadline = time.monotonic() + SETTLED_SECONDS
-    while not agrees(page, server):
-        assert time.monotonic() < deadline, f"{page.url} shows ε_t = {text(page, 'epsilon-t')}"
-        page.wait_for_timeout(50)
+
+    def shows_truth() -> None:
+        assert agrees(page, server), f"{page.url} shows ε_t = {text(page, 'epsilon-t')}"
+
+    eventually(shows_truth, page)
 
 
 def trace_of(page: Page, name: str) -> list[dict]:
@@ -156,18 +152,6 @@ def trace_of(page: Page, name: str) -> list[dict]:
     return page.get_by_test_id(name).evaluate(
         "plot => plot.data.map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
     )
-
-
-def eventually(check: Callable[[], T], page: Page, seconds: float = SETTLED_SECONDS) -> T:
-    """What a check returns once it holds: its last failure is the test's."""
-    deadline = time.monotonic() + seconds
-    while True:
-        try:
-            return check()
-        except AssertionError:
-            if time.monotonic() > deadline:
-                raise
-        page.wait_for_timeout(50)
 
 
 class Witness:

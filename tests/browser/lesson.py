@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from explorer import eventually
 from playwright.sync_api import Page
+from rest import eventually
 
 LOCALES = Path(__file__).parents[2] / "frontend" / "locales"
 LANGUAGES = ("en", "de")

@@ -15,6 +15,7 @@ from pathlib import Path
 
 from explorer import settle
 from playwright.sync_api import Browser, sync_playwright
+from rest import rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
 
 START_SECONDS = 60
@@ -62,7 +63,7 @@ def take_all(browser: Browser, server: str, folder: Path) -> Iterator[Path]:
                 settle(page, server)
                 # the map and what else comes after the trace
                 page.wait_for_load_state("networkidle")
-                page.wait_for_timeout(200)
+                rest(page)
                 path = folder / f"{scene}-{size}-{theme}.png"
                 page.screenshot(path=path)
                 yield path

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 from explorer import PARAMETERS, agrees, collision_of, settle
 from playwright.sync_api import Page
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -90,7 +91,7 @@ def test_axe_finds_nothing_to_object_to_in_what_opens(page: Page, server: str, w
         page.goto("/")
         settle(page, server)
         page.locator(opening).nth(i).click()
-        page.wait_for_timeout(300)
+        rest(page)
         assert objections(page) == []
 
 
@@ -190,37 +191,37 @@ def operate(page: Page, stop: dict) -> str:
     parameter = next((p for p in PARAMETERS if name.startswith(p)), None)
     if parameter and name.endswith("slider"):
         page.keyboard.press("ArrowLeft")
-        page.wait_for_timeout(200)
+        rest(page)
         assert collision_of(page)[PARAMETERS[parameter]] < before[0][PARAMETERS[parameter]]
     elif parameter and name.endswith("field"):
         page.keyboard.press("Control+A")
         page.keyboard.type("2.25")
         page.keyboard.press("Enter")
-        page.wait_for_timeout(200)
+        rest(page)
         assert collision_of(page)[PARAMETERS[parameter]] == 2.25
     elif parameter and name.endswith("reset"):
         page.keyboard.press("Enter")
-        page.wait_for_timeout(200)
+        rest(page)
         assert collision_of(page) != before[0]
     elif name in {"figure-1", "figure-2"}:
         # they lead into another scene, see test_paper_scene.py
         return ""
     elif stop["tag"] == "button" and is_preset(page):
         page.keyboard.press("Space")
-        page.wait_for_timeout(100)
+        rest(page)
         assert page.evaluate("() => document.activeElement.ariaPressed") == "true"
         return "preset"
     elif stop["group"] in {"map", "scale"}:
         page.keyboard.press("ArrowRight")
-        page.wait_for_timeout(200)
+        rest(page)
         assert page.url != before[1]
         return stop["group"]
     elif stop["expanded"]:
         page.keyboard.press("Enter")
-        page.wait_for_timeout(100)
+        rest(page)
         assert page.evaluate("() => document.activeElement !== document.body")
         page.keyboard.press("Escape")
-        page.wait_for_timeout(100)
+        rest(page)
         after = page.evaluate(FOCUSED)
         assert (after["label"], after["expanded"]) == (stop["label"], "false")
         return "opens"

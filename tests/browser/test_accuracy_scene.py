@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from explorer import Witness, ask, collision_of, eventually, settle, text, trace_of
+from explorer import Witness, ask, collision_of, settle, text, trace_of
 from playwright.sync_api import Page, expect
+from rest import eventually, rest
 from screenshots import running_server
 
 pytestmark = pytest.mark.browser
@@ -37,7 +38,7 @@ def test_a_click_on_a_point_chooses_its_method(page: Page, server: str):
     steps = plot.locator(".scatterlayer .trace").nth(names.index("time steps, Verlet"))
     box = steps.locator("path.point").first.bounding_box()
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=3)
-    page.wait_for_timeout(200)
+    rest(page)
     page.mouse.down()
     page.mouse.up()
     expect(page.get_by_test_id("method")).to_have_value("timestep")
@@ -142,7 +143,7 @@ def test_measuring_anew_shows_its_progress_and_can_be_stopped(
         expect(button).to_have_text("Stop")
         expect(progress).to_be_visible()
         button.click()
-        expect(button).to_have_text("Measure anew", timeout=30_000)
+        expect(button).to_have_text("Measure anew")
         expect(progress).to_be_hidden()
 
 
@@ -162,7 +163,7 @@ def test_steps_are_asked_for_once_and_only_where_they_are_shown(page: Page, serv
     page.goto(STEPS)
     settle(page, server)
     eventually(lambda: expect(page.get_by_test_id("overlay-name")).to_contain_text("off by"), page)
-    page.wait_for_timeout(500)
+    rest(page)
     assert asked() == 1
     page.get_by_role("link", name="Explorer").click()
     for kappa in ("30", "40", "50"):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from explorer import ask, collision_of, settle
 from playwright.sync_api import Page, expect
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -13,7 +14,7 @@ FULL_CUT = 800
 
 def cut_of(page: Page) -> list[float]:
     """ε_t along the cut as it is drawn, once that is the full one."""
-    page.wait_for_timeout(500)
+    rest(page)
     curve = page.get_by_test_id("cut").evaluate(CURVE)
     assert len(curve) == FULL_CUT
     return curve

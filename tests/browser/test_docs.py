@@ -3,6 +3,7 @@
 import pytest
 from explorer import Witness
 from playwright.sync_api import Page
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -23,7 +24,7 @@ def test_swagger_shows_every_call_and_tries_one(page: Page, server: str):
     answer = first.locator(".live-responses-table")
     answer.wait_for()
     assert "epsilon_t" in answer.inner_text()
-    page.wait_for_timeout(500)
+    rest(page)
     witness.assert_silence()
     assert witness.last("collision")["kappa"] == "63"
 
@@ -35,7 +36,7 @@ def test_redoc_shows_every_call(page: Page, server: str):
     page.get_by_role("heading", name="Real bodies over both velocities").wait_for()
     page.get_by_role("textbox").first.fill("friction")
     page.get_by_role("menuitem").first.wait_for()
-    page.wait_for_timeout(1000)
+    rest(page)
     witness.assert_silence()
 
 

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from explorer import Witness, agrees, collision_of, eventually, settle
+from explorer import Witness, agrees, collision_of, settle
 from lesson import (
     HANDS,
     SHARES,
@@ -15,6 +15,7 @@ from lesson import (
     tab_to,
 )
 from playwright.sync_api import Browser, Page, expect
+from rest import eventually, rest
 
 pytestmark = pytest.mark.browser
 
@@ -215,7 +216,7 @@ def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     page.on("request", lambda request: asked.append(request.url))
     page.goto("/")
     settle(page, server)
-    page.wait_for_timeout(500)
+    rest(page)
     late = ("/vendor/", "/locales/", "lesson-scene")
     assert [url for url in asked if any(part in url for part in late)] == []
     page.get_by_test_id("scenes").get_by_text("Lesson").click()

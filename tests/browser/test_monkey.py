@@ -230,7 +230,7 @@ def assert_works(page: Page, server: str, monkey: Monkey) -> None:
     monkey.connect()
     page.emulate_media(color_scheme="light", reduced_motion="no-preference", media="screen")
     page.set_viewport_size({"width": 1440, "height": 900})
-    expect(page.get_by_test_id("banner")).to_be_empty(timeout=20_000)
+    expect(page.get_by_test_id("banner")).to_be_empty()
     page.evaluate("""() => {
       history.pushState(null, "", "/?kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358");
       dispatchEvent(new PopStateEvent("popstate"));

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from explorer import PARAMETERS, agrees, ask, collision_of, settle, text, trace_of
 from playwright.sync_api import Page, expect
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -121,7 +122,7 @@ def test_the_map_is_that_of_the_api(explorer, server):
         explorer.get_by_test_id("mu-over-alpha-field").fill("0.9")
         explorer.keyboard.press("Enter")
     settle(explorer, server)
-    explorer.wait_for_timeout(500)
+    rest(explorer)
     query = dict(urllib.parse.parse_qsl(urllib.parse.urlsplit(asked.value.url).query))
     answer = ask(server, "map", **(query | {"encoding": "plain"}))
     cells = "m => m.data.find((t) => t.z).z.map((row) => [...row])"
@@ -169,7 +170,7 @@ def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, serve
     assert text(page, "summary") == before
     expect(page.get_by_test_id("from-map")).to_have_css("opacity", "1")
     page.unroute_all()
-    expect(page.get_by_test_id("banner")).to_be_empty(timeout=15_000)
+    expect(page.get_by_test_id("banner")).to_be_empty()
     settle(page, server)
 
 

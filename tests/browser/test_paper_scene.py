@@ -5,8 +5,9 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from explorer import Witness, ask, collision_of, eventually, settle, trace_of
+from explorer import Witness, ask, collision_of, settle, trace_of
 from playwright.sync_api import Page, expect
+from rest import eventually
 from test_access import objections
 
 pytestmark = pytest.mark.browser
@@ -16,7 +17,7 @@ SCENE = "/?scene=paper"
 
 def open_scene(page: Page, options: str = "") -> None:
     page.goto(SCENE + options)
-    expect(page.locator(".statement").first).to_be_visible(timeout=20_000)
+    expect(page.locator(".statement").first).to_be_visible()
 
 
 def test_every_statement_stands_there_with_its_verdict(page: Page, server: str):
@@ -61,7 +62,7 @@ def test_the_list_is_loaded_only_when_the_scene_is_shown(page: Page, server: str
     settle(page, server)
     assert witness.last("paper") is None
     page.get_by_test_id("scenes").get_by_text("The paper").click()
-    expect(page.locator(".statement").first).to_be_visible(timeout=20_000)
+    expect(page.locator(".statement").first).to_be_visible()
     assert [call for call, _ in witness.calls].count("paper") == 1
     page.get_by_test_id("scenes").get_by_text("Explorer").click()
     page.get_by_test_id("scenes").get_by_text("The paper").click()
@@ -234,7 +235,7 @@ def test_a_result_beyond_the_paper_fills_its_frame(page: Page, panel: str):
 def test_the_list_stands_in_a_frame_with_its_head(page: Page):
     page.goto("/?embed=paper&paper_verdict=fails")
     expect(page.get_by_test_id("paper-count")).to_be_visible()
-    expect(page.locator(".statement").first).to_be_visible(timeout=20_000)
+    expect(page.locator(".statement").first).to_be_visible()
     expect(page.locator(".masthead")).to_be_hidden()
     expect(page.get_by_test_id("collapse")).to_be_hidden()
 

@@ -3,6 +3,7 @@
 import pytest
 from explorer import settle
 from playwright.sync_api import Page
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -67,15 +68,15 @@ def test_marks_moved_while_dragging_are_those_that_plotly_draws(
         page.evaluate("window.drawings = {}")
         page.mouse.move(box["x"] + (share - 0.05) * box["width"], y)
         page.mouse.down()
-        page.wait_for_timeout(150)
+        rest(page)
         page.evaluate("window.drawings = {}")
         page.mouse.move(box["x"] + share * box["width"], y, steps=3)
-        page.wait_for_timeout(300)
+        rest(page)
         dragged = marks(page, name)
         is_by_hand = not page.evaluate("(name) => window.drawings[name]", name)
         moved_by_hand += is_by_hand
         page.mouse.up()
-        page.wait_for_timeout(300)
+        rest(page)
         assert page.evaluate("(name) => window.drawings[name]", name)
         drawn = marks(page, name)
         for kind, values in drawn.items():

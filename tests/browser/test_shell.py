@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 from explorer import ask, collision_of, settle, text
 from playwright.sync_api import Page
+from rest import rest
 
 pytestmark = pytest.mark.browser
 
@@ -39,12 +40,12 @@ def test_colours_are_those_chosen_and_stand_in_the_address(page: Page, server: s
     line = page.locator("[data-testid=force-trace] .js-line").last
     stroke = line.evaluate("(e) => e.style.stroke")
     page.get_by_test_id("theme").select_option("dark")
-    page.wait_for_timeout(300)
+    rest(page)
     assert paper(page) != light
     assert line.evaluate("(e) => e.style.stroke") != stroke
     assert "theme=dark" in page.url
     page.go_back()
-    page.wait_for_timeout(300)
+    rest(page)
     assert paper(page) == light
     assert line.evaluate("(e) => e.style.stroke") == stroke
 
@@ -73,7 +74,7 @@ def test_every_picture_gives_its_data_and_itself(
 ):
     page.goto("/?kappa=20")
     settle(page, server)
-    page.wait_for_timeout(500)
+    rest(page)
     begins = {
         "CSV": rb"(time|kappa|gt_over_gn),",
         "JSON": rb"\{",
@@ -96,7 +97,7 @@ def test_every_picture_gives_its_data_and_itself(
 def test_table_and_request_are_there_by_keyboard(page: Page, server: str, panel: str):
     page.goto("/")
     settle(page, server)
-    page.wait_for_timeout(500)
+    rest(page)
     button = page.get_by_test_id(f"menu-{panel}")
     for name, shown in [("Table", "table caption"), ("API request", "pre")]:
         button.focus()
@@ -122,16 +123,16 @@ def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(page: Page, serve
     page.goto("/")
     settle(page, server)
     page.get_by_test_id("crosshair").focus()
-    page.wait_for_timeout(500)
+    rest(page)
     before = collision_of(page)
     page.keyboard.press("ArrowLeft")
-    page.wait_for_timeout(300)
+    rest(page)
     after = collision_of(page)
     assert after["kappa"] < before["kappa"]
     assert after["gt_over_gn"] == before["gt_over_gn"]
     page.keyboard.press("Shift+ArrowUp")
     settle(page, server)
-    page.wait_for_timeout(300)
+    rest(page)
     assert collision_of(page)["gt_over_gn"] > before["gt_over_gn"]
     assert text(page, "switches") == str(ask(server, "collision", **collision_of(page))["switches"])
 

@@ -4,18 +4,9 @@ import urllib.parse
 from pathlib import Path
 
 import pytest
-from explorer import (
-    body_of,
-    collision_of,
-    eventually,
-    materials,
-    number,
-    post,
-    settle,
-    text,
-    trace_of,
-)
+from explorer import body_of, collision_of, materials, number, post, settle, text, trace_of
 from playwright.sync_api import Page, expect
+from rest import eventually
 
 pytestmark = pytest.mark.browser
 

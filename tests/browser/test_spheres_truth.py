@@ -9,7 +9,6 @@ from explorer import (
     Witness,
     ask,
     collision_of,
-    eventually,
     materials,
     number,
     post,
@@ -18,6 +17,7 @@ from explorer import (
     trace_of,
 )
 from playwright.sync_api import Page
+from rest import eventually
 
 pytestmark = pytest.mark.browser
 

@@ -2,18 +2,9 @@
 
 import numpy as np
 import pytest
-from explorer import (
-    PARAMETERS,
-    Witness,
-    ask,
-    collision_of,
-    eventually,
-    settle,
-    strip_for,
-    strip_of,
-    trace_of,
-)
+from explorer import PARAMETERS, Witness, ask, collision_of, settle, strip_for, strip_of, trace_of
 from playwright.sync_api import Page
+from rest import eventually
 
 pytestmark = pytest.mark.browser
 

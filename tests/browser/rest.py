@@ -1,0 +1,87 @@
+"""When a page has done all that it had planned: nothing is under way, nothing is to come."""
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from playwright.sync_api import BrowserContext, Page
+
+import waiting
+
+T = TypeVar("T")
+
+# Runs before the page's own scripts: counts requests whose answers are not read yet, timers, and
+# frames asked for.
+COUNT_PENDING = """(() => {
+  const direct = {
+    fetch: window.fetch,
+    setTimeout: window.setTimeout,
+    clearTimeout: window.clearTimeout,
+    requestAnimationFrame: window.requestAnimationFrame,
+    cancelAnimationFrame: window.cancelAnimationFrame,
+  };
+  let underWay = 0;
+  const track = (promise) => {
+    underWay += 1;
+    return promise.finally(() => { underWay -= 1; });
+  };
+  window.fetch = async (...request) => {
+    const response = await track(direct.fetch.apply(window, request));
+    for (const name of ["arrayBuffer", "blob", "json", "text"]) {
+      const read = response[name].bind(response);
+      response[name] = () => track(read());
+    }
+    return response;
+  };
+  const sets = [];
+  const count = (begin, end) => {
+    const pending = new Set();
+    sets.push(pending);
+    window[begin] = (task, ...rest) => {
+      const id = direct[begin].call(window, (...given) => {
+        pending.delete(id);
+        return typeof task === "function" ? task(...given) : undefined;
+      }, ...rest);
+      pending.add(id);
+      return id;
+    };
+    window[end] = (id) => {
+      pending.delete(id);
+      direct[end].call(window, id);
+    };
+  };
+  count("setTimeout", "clearTimeout");
+  count("requestAnimationFrame", "cancelAnimationFrame");
+  const isResting = () => underWay === 0 && sets.every((pending) => pending.size === 0);
+  const frame = () => new Promise((resolve) => {
+    direct.requestAnimationFrame.call(window, () => direct.setTimeout.call(window, resolve));
+  });
+  // What a frame leaves behind, a message or a change of size, shows in the next.
+  window.isResting = async () => {
+    for (let i = 0; i < 3; i += 1) {
+      if (!isResting()) return false;
+      await frame();
+    }
+    return isResting();
+  };
+})();"""
+
+
+def count_pending(context: BrowserContext) -> None:
+    """Let `rest` know what the pages of a context have before them; their time-outs are minutes."""
+    context.set_default_timeout(1000 * waiting.LIMIT_SECONDS)
+    context.add_init_script(COUNT_PENDING)
+
+
+def rest(page: Page) -> None:
+    """Wait until a page has no request, timer or frame before it: what it does, it has done."""
+
+    def rests() -> None:
+        is_resting = page.evaluate("() => document.readyState === 'complete' && isResting()")
+        assert is_resting, f"{page.url} does not come to rest"
+
+    eventually(rests, page)
+
+
+def eventually(check: Callable[[], T], page: Page) -> T:
+    """Return what a check returns once it holds; meanwhile the page goes on."""
+    return waiting.eventually(check, lambda seconds: page.wait_for_timeout(1000 * seconds))

@@ -1,0 +1,175 @@
+"""What follows a hand that drags: every picture, at every step, whatever the server takes.
+
+How long it takes is measured by `make times`; here it is what comes, and before what.
+"""
+
+from collections.abc import Iterator
+
+import pytest
+from explorer import Witness, agrees, collision_of, settle, text
+from playwright.sync_api import Locator, Page
+from rest import eventually, rest
+from test_truth import assert_traces
+
+pytestmark = pytest.mark.browser
+
+SLIDERS = ["kappa", "mu-over-alpha", "gt-over-gn", "damping"]
+STEPS = 4
+
+# Notes what is painted and for which input; counts what Plotly itself draws.
+RECORD = """() => {
+  window.painted = {};
+  window.lastInput = 0;
+  window.drawings = {};
+  addEventListener("restitution:painted", ({detail: {view, inputTimeStamp}}) => {
+    (painted[view] ??= []).push(inputTimeStamp);
+  });
+  for (const kind of ["input", "pointermove"]) {
+    addEventListener(kind, (event) => { lastInput = event.timeStamp; }, {capture: true});
+  }
+  const direct = Plotly.react;
+  Plotly.react = (element, ...rest) => {
+    const name = element.dataset.testid;
+    drawings[name] = (drawings[name] ?? 0) + 1;
+    return direct(element, ...rest);
+  };
+}"""
+
+# Runs before the page's own scripts. Lets requests of the API wait at a gate, and counts those
+# that are under way; a request that the page has given up is none.
+GATE = """(() => {
+  window.underWay = {};
+  window.mostUnderWay = {};
+  window.asked = {};
+  let open = Promise.resolve();
+  let unlock = () => {};
+  window.shut = () => { open = new Promise((resolve) => { unlock = resolve; }); };
+  window.unlock = () => unlock();
+  // The page waits for an answer for a quarter of a minute; here it waits for the test.
+  AbortSignal.timeout = () => new AbortController().signal;
+  const direct = window.fetch;
+  window.fetch = async (url, init = {}) => {
+    const body = JSON.parse(init.body ?? "{}");
+    // One address serves the map of velocities and, with two columns, the cut beside it.
+    const isCut = body.normal_velocity_m_s?.count === 2;
+    const path = new URL(url, location).pathname.replace("/api/v1/", "");
+    const call = isCut ? "scaling/cut" : path;
+    underWay[call] = (underWay[call] ?? 0) + 1;
+    asked[call] = (asked[call] ?? 0) + 1;
+    mostUnderWay[call] = Math.max(mostUnderWay[call] ?? 0, underWay[call]);
+    let isCounted = true;
+    const end = () => {
+      underWay[call] -= isCounted ? 1 : 0;
+      isCounted = false;
+    };
+    init.signal?.addEventListener("abort", () => {
+      asked[call] -= isCounted ? 1 : 0;
+      end();
+    });
+    try {
+      await open;
+      return await direct.call(window, url, init);
+    } finally {
+      end();
+    }
+  };
+})();"""
+
+
+LATE = "(views) => views.filter((view) => !(painted[view]?.at(-1) >= lastInput))"
+
+
+def drag(page: Page, place: Locator, *, across: bool = False) -> Iterator[None]:
+    """Take a slider, or the crosshair of a map, from step to step; let go after the last."""
+    box = place.bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for step in range(STEPS):
+        share = 0.03 * (step + 1)
+        page.mouse.move(x - share * box["width"], y + (share * box["height"] if across else 0))
+        yield
+    page.mouse.up()
+
+
+def follows(page: Page, *views: str) -> None:
+    """Wait until views show the answer to the last input, or to a later one."""
+
+    def is_painted() -> None:
+        late = page.evaluate(LATE, views)
+        assert late == []
+
+    eventually(is_painted, page)
+
+
+@pytest.mark.parametrize("name", SLIDERS)
+def test_force_trace_and_result_follow_every_step_of_a_drag(page: Page, server: str, name: str):
+    witness = Witness(page, server)
+    page.goto("/")
+    settle(page, server)
+    page.evaluate(RECORD)
+    for _ in drag(page, page.get_by_test_id(f"{name}-slider")):
+        follows(page, "crosshair", "force-trace")
+        rest(page)
+        assert agrees(page, server)
+        assert_traces(page, server, witness, collision_of(page))
+    rest(page)
+    # while dragging it is moved by hand; Plotly draws it after the release, or for another axis
+    if name != "damping":
+        assert page.evaluate("() => drawings['force-trace']") <= STEPS // 2
+
+
+@pytest.mark.parametrize("name", [*SLIDERS[:3], "crosshair"])
+def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
+    page: Page, server: str, name: str
+):
+    page.add_init_script(GATE)
+    page.goto("/")
+    settle(page, server)
+    rest(page)
+    page.evaluate(RECORD)
+    before = text(page, "summary")
+    traces = page.evaluate("() => asked.trace")
+    page.evaluate("() => shut()")
+    is_map = name == "crosshair"
+    place = page.get_by_test_id("crosshair" if is_map else f"{name}-slider")
+    for _ in drag(page, place, across=is_map):
+        follows(page, "crosshair", "strip")
+    assert text(page, "summary") == before, "an answer came through the gate"
+    # what the map knows stands in
+    assert page.get_by_test_id("result").get_attribute("data-from-map") is not None
+    page.evaluate("() => unlock()")
+    rest(page)
+    assert agrees(page, server)
+    # one was under way while the hand moved, and the newest wish came after it
+    assert page.evaluate("() => asked.trace") - traces <= 2
+    assert max(page.evaluate("() => mostUnderWay").values()) <= 2
+
+
+SPHERES = [
+    ("steel", "normal-velocity-m-s"),
+    ("steel", "radius-m"),
+    ("alumina-on-glass", "tangential-velocity-m-s"),
+    ("alumina-on-glass", "crosshair"),
+]
+
+
+@pytest.mark.parametrize(("material", "name"), SPHERES)
+def test_impact_and_cut_follow_every_step_of_a_drag_of_real_spheres(
+    page: Page, server: str, material: str, name: str
+):
+    page.add_init_script(GATE)
+    page.goto(f"/?scene=spheres&material={material}")
+    settle(page, server)
+    rest(page)
+    page.evaluate(RECORD)
+    is_map = name == "crosshair"
+    place = page.get_by_test_id("velocity-crosshair" if is_map else f"{name}-slider")
+    # the cut is along g_t and the map over both: neither moves with it
+    moving = ["impact", "result"] + ([] if name.startswith("tangential") else ["sphere-cut"])
+    for _ in drag(page, place, across=is_map):
+        follows(page, *moving)
+    rest(page)
+    assert agrees(page, server)
+    # a request more would be a queue
+    assert max(page.evaluate("() => mostUnderWay").values()) == 1
