@@ -21,7 +21,7 @@ WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_
 TIMES := tests/browser/test_latency.py
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench load tradeoff verify screenshots lock clean
+.PHONY: help serve test check format bench load tradeoff verify screenshots fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -67,6 +67,9 @@ verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) $(BIN)/python tests/browser/screenshots.py
+
+fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fonts come in
+	@$(BIN)/python deploy/make_fonts.py
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(LOCK) --group build --output-file requirements.lock

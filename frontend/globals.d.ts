@@ -8,7 +8,7 @@ declare const Plotly: {
   ): Promise<void>;
   toImage(
     figure: Record<string, any>,
-    options: { format: "png" | "svg"; width: number; height: number; scale?: number },
+    options: { format: "svg"; width: number; height: number; imageDataOnly: boolean },
   ): Promise<string>;
   purge(element: HTMLElement): void;
 };

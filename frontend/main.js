@@ -176,7 +176,7 @@ mountPictures({
     ...paperScene.shown(),
   }),
   bodies: spheresScene.bodies,
-  loadFile: client.file,
+  load: client,
   queries: {
     collision: collisionQuery,
     trace: traceQuery,

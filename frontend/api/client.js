@@ -269,6 +269,18 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
       return response.blob();
     },
 
+    /**
+     * A file of a font.
+     * @param {string} address
+     */
+    async font(address) {
+      const response = await fetch(address);
+      if (!response.ok) {
+        throw new Refused(`the server answered ${response.status}`);
+      }
+      return response.blob();
+    },
+
     /** Has a region measured anew. @param {string} region @returns {Promise<Run>} */
     async startRun(region) {
       return (await get(`${base}/tradeoff/runs?scene=${region}`, undefined, { method: "POST" }))

@@ -12,6 +12,13 @@ import { codeBlock, openSheet, tableElement } from "./sheet.js";
 const GAP = 4;
 
 /**
+ * What a menu asks the server for: the answer to what is posted, which no link can ask, and a font.
+ * @typedef {object} Load
+ * @property {(request: import("../format/requests.js").Request) => Promise<Blob>} file
+ * @property {(address: string) => Promise<Blob>} font
+ */
+
+/**
  * What the menu of a picture needs to know of it, asked when the menu is used.
  * @typedef {object} Picture
  * @property {string} title
@@ -27,9 +34,9 @@ const GAP = 4;
  * @param {HTMLElement} panel with its name as `data-panel`
  * @param {Picture} picture
  * @param {() => import("../state/url.js").PageState} present
- * @param {(request: import("../format/requests.js").Request) => Promise<Blob>} loadFile the answer to what is posted, which no link can ask
+ * @param {Load} load
  */
-export function mountPictureMenu(panel, picture, present, loadFile) {
+export function mountPictureMenu(panel, picture, present, load) {
   const name = panel.dataset.panel ?? "";
   // A surface in depth stands before the flat map; what is drawn is looked for when it is saved.
   const drawn = () => panel.querySelector(".surface") ?? panel.querySelector(".plot, svg");
@@ -53,7 +60,7 @@ export function mountPictureMenu(panel, picture, present, loadFile) {
       const request = picture.request();
       if (request.body) {
         event.preventDefault();
-        const file = await loadFile({ ...request, query: { ...request.query, format } });
+        const file = await load.file({ ...request, query: { ...request.query, format } });
         download(URL.createObjectURL(file), link.download);
       }
     });
@@ -170,6 +177,7 @@ export function mountPictureMenu(panel, picture, present, loadFile) {
       format,
       title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
       fileName: fileName(fileSubject(), picture.parameters(), format),
+      loadFont: load.font,
     };
     if (element instanceof SVGSVGElement) {
       saveDrawing(element, options);

@@ -48,7 +48,7 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {object} page
  * @param {() => import("../state/url.js").PageState} page.present
  * @param {() => Shown} page.shown
- * @param {(request: import("../format/requests.js").Request) => Promise<Blob>} page.loadFile
+ * @param {import("./picture-menu.js").Load} page.load
  * @param {() => Record<"scaling" | "map" | "cut", Record<string, any>>} page.bodies what is posted for the pictures of real spheres
  * @param {object} page.queries what the server is asked for each picture
  * @param {(collision: Collision) => Record<string, string>} page.queries.collision
@@ -61,7 +61,7 @@ import { mountPictureMenu } from "./picture-menu.js";
  * @param {() => Record<string, string>[]} page.queries.stiffLaw
  * @param {() => Record<string, string>} page.queries.switchLaw
  */
-export function mountPictures({ present, shown, queries, bodies, loadFile }) {
+export function mountPictures({ present, shown, queries, bodies, load }) {
   const parameters = () => ({ ...present().collision });
   const impactParameters = () => ({ material: present().impact.material });
   const trace = () => ({ call: "trace", query: queries.trace(present().collision) });
@@ -243,7 +243,7 @@ export function mountPictures({ present, shown, queries, bodies, loadFile }) {
   }
 
   for (const [name, picture] of Object.entries(pictures)) {
-    mountPictureMenu(find(`[data-panel="${name}"]`), picture, present, loadFile);
+    mountPictureMenu(find(`[data-panel="${name}"]`), picture, present, load);
   }
 }
 

@@ -1,7 +1,7 @@
 // @ts-check
 
-import { download } from "./download.js";
-import { BITMAP_SCALE, TITLE_PIXELS } from "./save-picture.js";
+import { downloadDrawn } from "./drawn.js";
+import { TITLE_PIXELS } from "./save-picture.js";
 import { currentTheme } from "./theme.js";
 
 /** What a style sheet gives a drawing; outside the page it has to carry it along. */
@@ -21,12 +21,9 @@ const CARRIED = [
 /**
  * Saves a drawing of the page itself, on the page's ground and under a title.
  * @param {SVGSVGElement} drawing
- * @param {object} options
- * @param {"png" | "svg"} options.format
- * @param {string} options.title with markup, of which the drawing keeps the letters
- * @param {string} options.fileName
+ * @param {import("./drawn.js").Saving & {title: string}} options with markup in the title, of which the drawing keeps the letters
  */
-export async function saveDrawing(drawing, { format, title, fileName }) {
+export async function saveDrawing(drawing, { title, ...options }) {
   const { paper, ink, sans } = currentTheme();
   const { width, height } = drawing.viewBox.baseVal;
   const whole = { width, height: height + TITLE_PIXELS };
@@ -51,8 +48,7 @@ export async function saveDrawing(drawing, { format, title, fileName }) {
   });
   line.textContent = title.replaceAll("<sub>", "_").replace(/<[^>]*>/g, "");
   frame.append(ground, line, copy);
-  const picture = `data:image/svg+xml,${encodeURIComponent(new XMLSerializer().serializeToString(frame))}`;
-  download(format === "svg" ? picture : await bitmapOf(picture, whole), fileName);
+  await downloadDrawn(new XMLSerializer().serializeToString(frame), whole, options);
 }
 
 /**
@@ -67,21 +63,6 @@ function carryStyle(from, to) {
   for (const [i, child] of [...from.children].entries()) {
     carryStyle(child, to.children[i]);
   }
-}
-
-/**
- * @param {string} picture
- * @param {{width: number, height: number}} size
- */
-async function bitmapOf(picture, { width, height }) {
-  const image = new Image();
-  image.src = picture;
-  await image.decode();
-  const canvas = document.createElement("canvas");
-  canvas.width = BITMAP_SCALE * width;
-  canvas.height = BITMAP_SCALE * height;
-  canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
-  return canvas.toDataURL("image/png");
 }
 
 /** @param {string | null} namespace */

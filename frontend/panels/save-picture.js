@@ -1,11 +1,9 @@
 // @ts-check
 
-import { download } from "./download.js";
+import { downloadDrawn } from "./drawn.js";
 import { currentTheme } from "./theme.js";
 
 const CONFIG = { staticPlot: true, showSendToCloud: false };
-/** A bitmap for a slide: so many pixels to one of the page. */
-export const BITMAP_SCALE = 3;
 /** Above the picture, for its title. */
 export const TITLE_PIXELS = 34;
 const SCALE_PIXELS = 52;
@@ -17,13 +15,9 @@ const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
 /**
  * Saves what a Plotly element shows, on the page's ground and under a title.
  * @param {HTMLElement} element
- * @param {object} options
- * @param {"png" | "svg"} options.format
- * @param {string} options.title
- * @param {string} options.fileName
- * @param {{x: number, y: number} | null} [options.place] of the crosshair, as shares from the top left
+ * @param {import("./drawn.js").Saving & {title: string, place?: {x: number, y: number} | null}} options the place is that of the crosshair, as shares from the top left
  */
-export async function savePicture(element, { format, title, fileName, place }) {
+export async function savePicture(element, { place, title, ...options }) {
   const { data, layout } = /** @type {any} */ (element);
   if (!layout) {
     return;
@@ -69,8 +63,8 @@ export async function savePicture(element, { format, title, fileName, place }) {
     },
     config: CONFIG,
   };
-  const scale = format === "png" ? BITMAP_SCALE : 1;
-  download(await Plotly.toImage(figure, { format, width, height, scale }), fileName);
+  const svg = await Plotly.toImage(figure, { format: "svg", width, height, imageDataOnly: true });
+  await downloadDrawn(svg, { width, height }, options);
 }
 
 /** @param {Record<string, any>} trace */

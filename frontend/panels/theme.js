@@ -5,6 +5,12 @@ import { THEME_PROPERTIES } from "../figures/theme.js";
 const root = document.documentElement;
 const darkScheme = matchMedia("(prefers-color-scheme: dark)");
 
+/**
+ * Plotly keeps how wide a text is, by its style and for good. So the page's own fonts are part of the
+ * style only once they are there.
+ */
+let hasFonts = false;
+
 /** @type {import("../figures/theme.js").Theme | null} */
 let known = null;
 /** @type {Set<() => void>} */
@@ -16,6 +22,28 @@ addEventListener("resize", () => {
 });
 darkScheme.addEventListener("change", tell);
 new MutationObserver(tell).observe(root, { attributeFilter: ["data-theme"] });
+awaitFonts();
+
+async function awaitFonts() {
+  const [own] = families();
+  try {
+    await Promise.all([
+      document.fonts.load(`16px ${own}`),
+      document.fonts.load(`italic 16px ${own}`),
+    ]);
+  } catch {
+    // The others stay.
+    return;
+  }
+  hasFonts = true;
+  tell();
+}
+
+/** Those of the page's text, its own first. */
+function families() {
+  const list = getComputedStyle(root).getPropertyValue(THEME_PROPERTIES.sans);
+  return list.split(",").map((family) => family.trim());
+}
 
 function tell() {
   known = null;
@@ -34,7 +62,10 @@ export function currentTheme() {
       inScheme(style.getPropertyValue(property).trim(), dark),
     ]);
     const unit = Number.parseFloat(style.fontSize) / 16;
-    known = { dark, unit, ...Object.fromEntries(values) };
+    const sans = families()
+      .slice(hasFonts ? 0 : 1)
+      .join(", ");
+    known = { dark, unit, ...Object.fromEntries(values), sans };
   }
   return /** @type {import("../figures/theme.js").Theme} */ (known);
 }

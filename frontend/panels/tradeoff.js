@@ -22,7 +22,7 @@ const MARKS = /** @type {Record<string, string>} */ ({
   star: "★",
   square: "■",
   diamond: "◆",
-  x: "✖",
+  x: "✗",
   circle: "●",
   "circle-open": "○",
   "triangle-up": "▲",
