@@ -15,13 +15,13 @@ INSTALL := $(BIN)/python -m pip --quiet --disable-pip-version-check install --co
 NPM := PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-version 3.11 \
 	--generate-hashes --no-emit-index-url --no-header
+# Tests of a file share its servers, and two files run at a time.
+SHARED_OUT := -n 2 --dist loadfile
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
-TIMES := tests/browser/test_latency.py
-
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench load tradeoff verify screenshots fonts lock clean
+.PHONY: help serve test check format bench times load tradeoff verify screenshots fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -30,12 +30,11 @@ serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HO
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
 
 test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browser's included
-	@# Playwright leaves an event loop running: its tests are a run of their own. Those of times are
-	@# alone on the machine. A failure does not keep the others from being told.
+	@# Playwright leaves an event loop running: its tests are a run of their own. A failure does not
+	@# keep the others from being told.
 	@status=0; \
-	$(WITH_NGINX) $(BIN)/python -m pytest -n 2 --dist loadfile -m "not browser and not verify" || status=1; \
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest -n 2 --dist loadfile -m "browser and not verify" --ignore $(TIMES) || status=1; \
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest -m "not verify" $(TIMES) || status=1; \
+	$(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "not browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
 
@@ -54,6 +53,9 @@ format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
 bench: $(DEVELOPMENT) ## costs and times, as text and JSON
 	@$(BIN)/python tests/bench/run.py
 
+times: $(DEVELOPMENT) ## what a person waits for at the page: first view, and what follows a drag
+	@$(WITH_CHROMIUM) PYTHONPATH=tests:tests/browser:tests/bench $(BIN)/python tests/bench/times.py
+
 load: $(DEVELOPMENT) ## a server under load, alone and behind nginx, as JSON; PARTS="class soak" for some of it
 	@$(WITH_NGINX) PYTHONPATH=tests:tests/deploy:tests/browser:tests/bench \
 		$(BIN)/python tests/bench/load.py $(PARTS)
@@ -62,11 +64,11 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 	@$(BIN)/restitution tradeoff --report docs/speed-and-accuracy.md
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
-verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run
-	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest -m verify --timeout=3600 --durations=0
+verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
+	@$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python tests/verify.py
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
-	$(WITH_CHROMIUM) $(BIN)/python tests/browser/screenshots.py
+	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py
 
 fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fonts come in
 	@$(BIN)/python deploy/make_fonts.py

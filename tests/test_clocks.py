@@ -17,38 +17,16 @@ ROOT = TESTS.parent
 MAY_READ_CLOCKS = {
     "tests/waiting.py": "the one place that waits",
     "tests/bench/": "measures, and judges nothing",
-    "tests/browser/set_up_browser.py": "gives a download up",
+    "tests/verify.py": "says how long each check took",
     "tests/export/test_ten_million.py": "prints CPU over wall time, and judges by bytes and memory",
     "tests/test_clocks.py": "names them",
 }
 
 MAY_REST = {
-    "tests/browser/explorer.py": "lets Playwright's events happen between two looks",
-    "tests/browser/screenshots.py": "takes pictures, and judges nothing",
+    "tests/browser/rest.py": "lets Playwright's events happen between two looks",
+    "tests/browser/test_monkey.py": "gives the history time to travel, and asserts nothing of it",
 }
 """Where a page may be left alone for a while: `wait_for_timeout`."""
-
-# TEMPORARY, to be deleted when tests/browser has been changed: what still reads clocks there
-PENDING = {
-    f"tests/browser/{name}.py"
-    for name in [
-        "explorer",
-        "test_access",
-        "test_latency",
-        "screenshots",
-        "test_paper_scene",
-        "test_quiet",
-        "test_docs",
-        "test_quick_draw",
-        "test_cut_and_map_options",
-        "test_loading",
-        "test_lesson",
-        "test_monkey",
-        "test_accuracy_scene",
-        "test_page",
-        "test_shell",
-    ]
-}
 
 CLOCKS = re.compile(
     r"\bperformance\s*\.\s*now\b|\bDate\s*\.\s*now\b|\bnew Date\(\)|\bhrtime\b|timers/promises"
@@ -131,7 +109,7 @@ def test_no_test_reads_a_clock_or_waits_for_seconds():
     found = []
     for source in sorted([*TESTS.rglob("*.py"), *TESTS.rglob("*.js")]):
         path = source.relative_to(ROOT).as_posix()
-        if path.startswith(tuple(MAY_READ_CLOCKS)) or path in PENDING:
+        if path.startswith(tuple(MAY_READ_CLOCKS)):
             continue
         text = source.read_text(encoding="utf-8")
         places = of_python(text, path) if source.suffix == ".py" else of_javascript(text)

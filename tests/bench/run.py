@@ -8,24 +8,20 @@ and share their cores.
 import http.client
 import json
 import os
-import platform
-import re
 import signal
 import statistics
 import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable
 from contextlib import contextmanager
-from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
+from record import RUNS, median, report
 from solver import solve_with_events
 
 from restitution.mechanics import collision, damped, damped_normal_motion, viscoelastic
-from restitution.mechanics.compiled import MODEL_VERSION
 from restitution.methods import planner, table
 from restitution.methods.answer import Options
 from restitution.studies.axis import Axis
@@ -36,33 +32,7 @@ from restitution.studies.trace import study_trace
 RESULTS = Path(__file__).parents[2] / "bench.json"
 RESTITUTION = Path(sys.executable).with_name("restitution")
 PORT = 8641
-RUNS = 7
 SLOW_MILLISECONDS = 50
-SECONDS = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
-
-Clock = Callable[[], float]
-
-
-def median(run: Callable[[], object], runs: int = RUNS, clock: Clock = time.thread_time) -> float:
-    """Return the median time of `run` in seconds, after one run that does not count."""
-    run()
-    times = []
-    for _ in range(runs):
-        begin = clock()
-        run()
-        times.append(clock() - begin)
-    return statistics.median(times)
-
-
-def calibration() -> float:
-    """Return the seconds of a fixed piece of interpreted and compiled arithmetic."""
-    values = np.linspace(0.0, 1.0, 100_000)
-
-    def run() -> float:
-        total = sum(i * i for i in range(100_000))
-        return total + float(np.sum(np.sin(values) ** 2))
-
-    return median(run, 21)
 
 
 def kernel(kappa: np.ndarray, tangential: np.ndarray) -> dict[str, float]:
@@ -241,38 +211,12 @@ def requests() -> dict[str, float]:
     return results
 
 
-def in_loops(name: str, value: float, unit: float) -> float:
-    """Return a figure that is a time over that of the calibration loop, any other as it is."""
-    found = re.search(r", (ns|µs|ms|s)\b", name)
-    return value * SECONDS[found[1]] / unit if found else value
-
-
 def main() -> None:
     """Measure, compare with the last run, print and store."""
     figures = (
         kernels() | damping_figures() | table_figures() | general_solver() | requests() | start_up()
     )
-    unit = calibration()
-    last = json.loads(RESULTS.read_text()) if RESULTS.exists() else None
-    print(f"{'':58s}{'now':>12s}{'÷ loop':>12s}{'÷ last':>9s}")
-    for name, value in figures.items():
-        loop = in_loops(name, value, unit)
-        ratio = ""
-        if last and last["figures"].get(name):
-            before = in_loops(name, last["figures"][name], last["calibration_s"])
-            ratio = f"{loop / before:9.2f}"
-        shown = f"{loop:12.3g}" if loop != value else f"{'':12s}"
-        print(f"{name:58s}{value:12.4g}{shown}{ratio}".rstrip())
-    record = {
-        "measured_at": datetime.now(UTC).isoformat(timespec="seconds"),
-        "machine": f"{platform.processor() or platform.machine()}, {os.cpu_count()} cores",
-        "python": platform.python_version(),
-        "model_version": MODEL_VERSION,
-        "calibration_s": unit,
-        "figures": figures,
-    }
-    RESULTS.write_text(json.dumps(record, indent=2, ensure_ascii=False) + "\n")
-    print(f"stored in {RESULTS.name}; the calibration loop took {1e3 * unit:.2f} ms")
+    report(figures, RESULTS)
 
 
 if __name__ == "__main__":

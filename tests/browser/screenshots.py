@@ -3,22 +3,17 @@
 `python tests/browser/screenshots.py [FOLDER]`; the folder is screenshots/ unless one is named.
 """
 
-import socket
-import subprocess
 import sys
-import time
-import urllib.error
-import urllib.request
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from explorer import settle
 from playwright.sync_api import Browser, sync_playwright
-from rest import rest
+from rest import count_pending, rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
 
-START_SECONDS = 60
+from servers import serving
 
 # A projector of 3840 pixels is looked at from afar: its pixels are counted one by one all the same.
 SIZES = {"phone": (390, 844), "desk": (1440, 900), "4k": (3840, 2160)}
@@ -41,9 +36,13 @@ SCENES = {
 def main() -> None:
     folder = Path(sys.argv[1] if len(sys.argv) > 1 else "screenshots")
     folder.mkdir(parents=True, exist_ok=True)
-    with running_server() as server, sync_playwright() as playwright:
+    with (
+        TemporaryDirectory() as log,
+        serving(Path(log)) as server,
+        sync_playwright() as playwright,
+    ):
         browser = playwright.chromium.launch(executable_path=chromium_of_machine(), args=ARGUMENTS)
-        for path in take_all(browser, server, folder):
+        for path in take_all(browser, server.url, folder):
             print(path)
         browser.close()
 
@@ -57,12 +56,12 @@ def take_all(browser: Browser, server: str, folder: Path) -> Iterator[Path]:
                 # what moves is shown at rest
                 reduced_motion="reduce",
             )
+            count_pending(context)
             page = context.new_page()
             for scene, query in SCENES.items():
                 page.goto(f"{server}/?{query}")
                 settle(page, server)
                 # the map and what else comes after the trace
-                page.wait_for_load_state("networkidle")
                 rest(page)
                 path = folder / f"{scene}-{size}-{theme}.png"
                 page.screenshot(path=path)
@@ -72,34 +71,6 @@ def take_all(browser: Browser, server: str, folder: Path) -> Iterator[Path]:
                     page.screenshot(path=whole, full_page=True)
                     yield whole
             context.close()
-
-
-@contextmanager
-def running_server() -> Iterator[str]:
-    """The base URL of a `restitution serve` process."""
-    with socket.socket() as listener:
-        listener.bind(("127.0.0.1", 0))
-        port = listener.getsockname()[1]
-    program = Path(sys.executable).with_name("restitution")
-    command = [program, "serve", "--host", "127.0.0.1", "--port", str(port)]
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
-        try:
-            wait_until_ready(f"http://127.0.0.1:{port}")
-            yield f"http://127.0.0.1:{port}"
-        finally:
-            process.terminate()
-
-
-def wait_until_ready(server: str) -> None:
-    deadline = time.monotonic() + START_SECONDS
-    while time.monotonic() < deadline:
-        try:
-            urllib.request.urlopen(f"{server}/readyz", timeout=5).close()
-        except (urllib.error.URLError, ConnectionError, TimeoutError):
-            time.sleep(0.1)
-        else:
-            return
-    sys.exit("the server did not become ready")
 
 
 if __name__ == "__main__":

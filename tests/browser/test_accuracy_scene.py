@@ -1,11 +1,14 @@
 """The scene of speed and accuracy shows what the API answers, and its points are controls."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from explorer import Witness, ask, collision_of, settle, text, trace_of
 from playwright.sync_api import Page, expect
 from rest import eventually, rest
-from screenshots import running_server
+
+from servers import serving
 
 pytestmark = pytest.mark.browser
 
@@ -130,12 +133,9 @@ def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(
     assert text(page, "provenance").startswith("exact")
 
 
-def test_measuring_anew_shows_its_progress_and_can_be_stopped(
-    page: Page, monkeypatch: pytest.MonkeyPatch
-):
-    monkeypatch.setenv("RESTITUTION_TRADEOFF_RUNS", "true")
-    with running_server() as url:
-        page.goto(f"{url}/?scene=accuracy&region=solids")
+def test_measuring_anew_shows_its_progress_and_can_be_stopped(page: Page, tmp_path: Path):
+    with serving(tmp_path, tradeoff_runs=True) as server:
+        page.goto(f"{server.url}/?scene=accuracy&region=solids")
         button = page.get_by_test_id("remeasure")
         progress = page.get_by_label("Progress of the measurement")
         expect(button).to_have_text("Measure anew")

@@ -65,7 +65,7 @@ def drag(page: Page, name: str, to: tuple[float, float]) -> None:
 
 @pytest.mark.parametrize("milliseconds", [pytest.param(100, marks=pytest.mark.verify), 500])
 def test_dragging_on_a_slow_network_asks_little_and_ends_at_the_right_place(
-    page: Page, server: str, milliseconds: int, capsys
+    page: Page, server: str, milliseconds: int
 ):
     witness = Witness(page, server)
     flight = InFlight(page)
@@ -83,10 +83,7 @@ def test_dragging_on_a_slow_network_asks_little_and_ends_at_the_right_place(
     rest(page)
     assert float(witness.last("map")["mu_over_alpha"]) == collision_of(page)["mu_over_alpha"]
     asked = {view: most for view, most in flight.most.items() if view in views(witness)}
-    with capsys.disabled():
-        print(
-            f"\n+{milliseconds} ms: at most in flight {asked}, sent {flight.sent['trace']} traces"
-        )
+    print(f"+{milliseconds} ms: at most in flight {asked}, sent {flight.sent['trace']} traces")
     assert max(asked.values()) <= MOST_IN_FLIGHT
     assert sum(flight.now.values()) == 0
     witness.assert_silence()

@@ -152,7 +152,7 @@ def held_are(wanted: set[str], held: list[Route]) -> None:
     assert {call_of(route.request.url) for route in held} == wanted
 
 
-def test_the_first_view_takes_few_bytes(cold_page: Page, server: str, capsys):
+def test_the_first_view_takes_few_bytes(cold_page: Page, server: str):
     page = cold_page
     received: dict[str, int] = {}
     client = page.context.new_cdp_session(page)
@@ -165,7 +165,6 @@ def test_the_first_view_takes_few_bytes(cold_page: Page, server: str, capsys):
     settle(page, server)
     rest(page)
     total = sum(received.values())
-    with capsys.disabled():
-        print(f"\nfirst view: {total / 1e6:.3f} MB over the wire in {len(received)} answers")
+    print(f"first view: {total / 1e6:.3f} MB over the wire in {len(received)} answers")
     assert len(received) > 10
     assert total <= WIRE_BYTES

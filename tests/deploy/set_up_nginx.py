@@ -1,4 +1,4 @@
-"""Print the path of an nginx: the machine's, or Debian's, installed; nothing where there is none."""
+"""Print the path of an nginx: the machine's, or Debian's, installed; or nothing."""
 
 from __future__ import annotations
 
