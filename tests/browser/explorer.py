@@ -138,6 +138,17 @@ def percentage(energy: dict[str, float]) -> str:
     return f"{digits}\u202f%"
 
 
+def visit(page: Page, address: str) -> None:
+    """Go to an address as the page's own links do: it is not loaded anew."""
+    page.evaluate(
+        """(address) => {
+          history.pushState(null, "", address);
+          dispatchEvent(new PopStateEvent("popstate"));
+        }""",
+        address,
+    )
+
+
 def settle(page: Page, server: str) -> None:
     """Wait until the page shows the truth about its own parameters."""
 

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 import pytest
-from explorer import PARAMETERS, agrees, collision_of, settle
+from explorer import PARAMETERS, agrees, collision_of, settle, visit
 from playwright.sync_api import Page
 from rest import rest
 
@@ -71,28 +71,27 @@ FOCUSED = """() => {
     ],
 )
 def test_axe_finds_nothing_to_object_to(
-    page: Page, server: str, width: int, scheme: str, state: str
+    tab: Page, server: str, width: int, scheme: str, state: str
 ):
-    page.set_viewport_size({"width": width, "height": 900})
-    page.emulate_media(color_scheme=scheme)
-    page.goto(STATES[state])
-    settle(page, server)
-    assert objections(page) == []
+    tab.set_viewport_size({"width": width, "height": 900})
+    tab.emulate_media(color_scheme=scheme)
+    visit(tab, STATES[state])
+    settle(tab, server)
+    assert objections(tab) == []
 
 
 @pytest.mark.parametrize("width", [390, 1440])
-def test_axe_finds_nothing_to_object_to_in_what_opens(page: Page, server: str, width: int):
+def test_axe_finds_nothing_to_object_to_in_what_opens(tab: Page, server: str, width: int):
     """Menus and dialogs are not there, or not seen, until they are asked for."""
-    page.set_viewport_size({"width": width, "height": 900})
-    page.goto("/")
-    settle(page, server)
+    tab.set_viewport_size({"width": width, "height": 900})
     opening = "summary:visible, button[aria-expanded]:visible, button[aria-haspopup]:visible"
-    for i in range(page.locator(opening).count()):
-        page.goto("/")
-        settle(page, server)
-        page.locator(opening).nth(i).click()
-        rest(page)
-        assert objections(page) == []
+    for i in range(tab.locator(opening).count()):
+        visit(tab, "/")
+        settle(tab, server)
+        tab.locator(opening).nth(i).click()
+        rest(tab)
+        assert objections(tab) == []
+        tab.keyboard.press("Escape")
 
 
 def objections(page: Page) -> list[str]:

@@ -1,10 +1,11 @@
 """The page in a real browser beside a real server: it shows what the API answers."""
 
 import urllib.parse
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from explorer import PARAMETERS, agrees, ask, collision_of, settle, text, trace_of
+from explorer import PARAMETERS, Witness, agrees, ask, collision_of, settle, text, trace_of, visit
 from playwright.sync_api import Page, expect
 from rest import rest
 
@@ -12,20 +13,11 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.fixture
-def explorer(page: Page, server: str):
+def explorer(tab: Page, server: str) -> Iterator[Page]:
     """The opened page; the test fails on any word in the console or request to elsewhere."""
-    words, strangers = [], []
-    page.on("console", lambda message: words.append(message.text))
-    page.on("pageerror", lambda error: words.append(str(error)))
-    page.on(
-        "request",
-        lambda r: None if r.url.startswith((server, "data:", "blob:")) else strangers.append(r.url),
-    )
-    page.goto("/")
-    settle(page, server)
-    yield page
-    assert words == []
-    assert strangers == []
+    witness = Witness(tab, server)
+    yield tab
+    witness.assert_silence()
 
 
 def test_the_phenomenon_is_on_the_screen_without_a_click(explorer, server):
@@ -159,32 +151,30 @@ def test_nonsense_in_the_address_ends_in_a_working_page(explorer, server, addres
     assert agrees(explorer, server)
 
 
-def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, server: str):
-    page.goto("/")
-    settle(page, server)
-    before = text(page, "summary")
-    page.route("**/api/**", lambda route: route.abort())
-    page.route("**/healthz", lambda route: route.abort())
-    page.get_by_test_id("kappa-slider").press("ArrowRight")
-    expect(page.get_by_test_id("banner")).to_contain_text("does not answer")
-    assert text(page, "summary") == before
-    expect(page.get_by_test_id("from-map")).to_have_css("opacity", "1")
-    page.unroute_all()
-    expect(page.get_by_test_id("banner")).to_be_empty()
-    settle(page, server)
+def test_a_lost_server_keeps_the_picture_and_the_page_recovers(tab: Page, server: str):
+    before = text(tab, "summary")
+    tab.route("**/api/**", lambda route: route.abort())
+    tab.route("**/healthz", lambda route: route.abort())
+    tab.get_by_test_id("kappa-slider").press("ArrowRight")
+    expect(tab.get_by_test_id("banner")).to_contain_text("does not answer")
+    assert text(tab, "summary") == before
+    expect(tab.get_by_test_id("from-map")).to_have_css("opacity", "1")
+    tab.unroute_all()
+    expect(tab.get_by_test_id("banner")).to_be_empty()
+    settle(tab, server)
 
 
-def test_damping_moves_everything(page: Page, server: str):
-    page.goto("/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
-    settle(page, server)
-    field = page.get_by_test_id("damping-field")
+def test_damping_moves_everything(tab: Page, server: str):
+    visit(tab, "/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
+    settle(tab, server)
+    field = tab.get_by_test_id("damping-field")
     field.fill("0.3")
     field.press("Enter")
-    settle(page, server)
-    assert collision_of(page)["damping"] == 0.3
+    settle(tab, server)
+    assert collision_of(tab)["damping"] == 0.3
     # model.md: ε_n at η = 0.3
-    assert text(page, "epsilon-n") == "0.7221"
-    assert int(text(page, "switches")) % 2 == 1
-    page.locator("[data-preset='figure-6']").click()
-    settle(page, server)
-    assert "damping" not in page.url
+    assert text(tab, "epsilon-n") == "0.7221"
+    assert int(text(tab, "switches")) % 2 == 1
+    tab.locator("[data-preset='figure-6']").click()
+    settle(tab, server)
+    assert "damping" not in tab.url

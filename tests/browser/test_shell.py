@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
-from explorer import ask, collision_of, settle, text
+from explorer import ask, collision_of, settle, text, visit
 from playwright.sync_api import Page
 from rest import rest
 
@@ -32,28 +32,37 @@ def choose(page: Page, panel: str, name: str) -> None:
     page.locator(f"#menu-{panel}").get_by_text(name, exact=True).click()
 
 
-def test_colours_are_those_chosen_and_stand_in_the_address(page: Page, server: str):
-    page.emulate_media(color_scheme="light")
-    page.goto("/")
-    settle(page, server)
-    light = paper(page)
-    line = page.locator("[data-testid=force-trace] .js-line").last
+def test_colours_are_those_chosen_and_stand_in_the_address(tab: Page):
+    tab.emulate_media(color_scheme="light")
+    light = paper(tab)
+    line = tab.locator("[data-testid=force-trace] .js-line").last
     stroke = line.evaluate("(e) => e.style.stroke")
-    page.get_by_test_id("theme").select_option("dark")
-    rest(page)
-    assert paper(page) != light
+    tab.get_by_test_id("theme").select_option("dark")
+    rest(tab)
+    assert paper(tab) != light
     assert line.evaluate("(e) => e.style.stroke") != stroke
-    assert "theme=dark" in page.url
-    page.go_back()
-    rest(page)
-    assert paper(page) == light
+    assert "theme=dark" in tab.url
+    tab.go_back()
+    rest(tab)
+    assert paper(tab) == light
     assert line.evaluate("(e) => e.style.stroke") == stroke
 
 
 @pytest.mark.parametrize("panel", PANELS + ACCURACY_PANELS + SPHERES_PANELS)
-def test_embedded_panel_stands_alone_and_leads_to_the_full_page(page: Page, panel: str):
+def test_embedded_panel_stands_alone_and_leads_to_the_full_page(tab: Page, panel: str):
+    tab.set_viewport_size({"width": 480, "height": 360})
+    visit(tab, f"/?embed={panel}&kappa=20")
+    assert_stands_alone(tab, panel)
+
+
+@pytest.mark.parametrize("panel", ["map", "sphere_cut"])
+def test_embedded_panel_loads_alone(page: Page, panel: str):
     page.set_viewport_size({"width": 480, "height": 360})
     page.goto(f"/?embed={panel}&kappa=20")
+    assert_stands_alone(page, panel)
+
+
+def assert_stands_alone(page: Page, panel: str) -> None:
     page.get_by_test_id("full-page").wait_for()
     for each in PANELS + ACCURACY_PANELS + SPHERES_PANELS:
         assert page.locator(f"[data-panel={each}]").is_visible() == (each == panel)
@@ -70,11 +79,11 @@ def test_embedded_panel_stands_alone_and_leads_to_the_full_page(page: Page, pane
 
 @pytest.mark.parametrize("panel", PANELS[1:])
 def test_every_picture_gives_its_data_and_itself(
-    page: Page, server: str, panel: str, tmp_path: Path
+    tab: Page, server: str, panel: str, tmp_path: Path
 ):
-    page.goto("/?kappa=20")
-    settle(page, server)
-    rest(page)
+    visit(tab, "/?kappa=20")
+    settle(tab, server)
+    rest(tab)
     begins = {
         "CSV": rb"(time|kappa|gt_over_gn),",
         "JSON": rb"\{",
@@ -82,9 +91,9 @@ def test_every_picture_gives_its_data_and_itself(
         "SVG": rb"<svg",
     }
     for name, beginning in begins.items():
-        with page.expect_download() as download:
-            choose(page, panel, name)
-        page.keyboard.press("Escape")
+        with tab.expect_download() as download:
+            choose(tab, panel, name)
+        tab.keyboard.press("Escape")
         saved = tmp_path / download.value.suggested_filename
         download.value.save_as(saved)
         assert saved.name.startswith(f"restitution-{panel}")
@@ -94,47 +103,43 @@ def test_every_picture_gives_its_data_and_itself(
 
 
 @pytest.mark.parametrize("panel", PANELS)
-def test_table_and_request_are_there_by_keyboard(page: Page, server: str, panel: str):
-    page.goto("/")
-    settle(page, server)
-    rest(page)
-    button = page.get_by_test_id(f"menu-{panel}")
+def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
+    rest(tab)
+    button = tab.get_by_test_id(f"menu-{panel}")
     for name, shown in [("Table", "table caption"), ("API request", "pre")]:
         button.focus()
-        page.keyboard.press("ArrowDown")
-        while page.evaluate("() => document.activeElement.textContent") != name:
-            page.keyboard.press("ArrowDown")
-        page.keyboard.press("Enter")
-        assert page.get_by_test_id("sheet").locator(shown).first.is_visible()
-        page.keyboard.press("Escape")
-        assert page.evaluate("() => document.activeElement.dataset.testid") == f"menu-{panel}"
+        tab.keyboard.press("ArrowDown")
+        while tab.evaluate("() => document.activeElement.textContent") != name:
+            tab.keyboard.press("ArrowDown")
+        tab.keyboard.press("Enter")
+        assert tab.get_by_test_id("sheet").locator(shown).first.is_visible()
+        tab.keyboard.press("Escape")
+        assert tab.evaluate("() => document.activeElement.dataset.testid") == f"menu-{panel}"
 
 
-def test_request_of_the_result_answers_what_the_strip_shows(page: Page, server: str):
-    page.goto("/?kappa=20")
-    settle(page, server)
-    choose(page, "result", "API request")
-    line = page.locator("pre").first.inner_text()
+def test_request_of_the_result_answers_what_the_strip_shows(tab: Page, server: str):
+    visit(tab, "/?kappa=20")
+    settle(tab, server)
+    choose(tab, "result", "API request")
+    line = tab.locator("pre").first.inner_text()
     query = "kappa=20&mu_over_alpha=1.4&gt_over_gn=1.358"
     assert line == f'curl "{server}/api/v1/collision?{query}"'
 
 
-def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(page: Page, server: str):
-    page.goto("/")
-    settle(page, server)
-    page.get_by_test_id("crosshair").focus()
-    rest(page)
-    before = collision_of(page)
-    page.keyboard.press("ArrowLeft")
-    rest(page)
-    after = collision_of(page)
+def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(tab: Page, server: str):
+    tab.get_by_test_id("crosshair").focus()
+    rest(tab)
+    before = collision_of(tab)
+    tab.keyboard.press("ArrowLeft")
+    rest(tab)
+    after = collision_of(tab)
     assert after["kappa"] < before["kappa"]
     assert after["gt_over_gn"] == before["gt_over_gn"]
-    page.keyboard.press("Shift+ArrowUp")
-    settle(page, server)
-    rest(page)
-    assert collision_of(page)["gt_over_gn"] > before["gt_over_gn"]
-    assert text(page, "switches") == str(ask(server, "collision", **collision_of(page))["switches"])
+    tab.keyboard.press("Shift+ArrowUp")
+    settle(tab, server)
+    rest(tab)
+    assert collision_of(tab)["gt_over_gn"] > before["gt_over_gn"]
+    assert text(tab, "switches") == str(ask(server, "collision", **collision_of(tab))["switches"])
 
 
 @pytest.mark.parametrize("size", [(320, 640), (390, 844), (1440, 900)])
