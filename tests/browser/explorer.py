@@ -10,6 +10,9 @@ from rest import eventually
 
 PARAMETERS = {"kappa": "kappa", "mu-over-alpha": "mu_over_alpha", "gt-over-gn": "gt_over_gn"}
 
+USUAL = {"kappa": "63", "mu_over_alpha": "1.4", "gt_over_gn": "1.358"}
+"""Where the page begins."""
+
 IMPACT_PARAMETERS = {
     "normal-velocity-m-s": "normal_velocity_m_s",
     "tangential-velocity-m-s": "tangential_velocity_m_s",
@@ -139,13 +142,15 @@ def percentage(energy: dict[str, float]) -> str:
 
 
 def visit(page: Page, address: str) -> None:
-    """Go to an address as the page's own links do: it is not loaded anew."""
+    """Go to an address as the page's own links do, which hold the collision: nothing is loaded."""
+    path, _, query = address.partition("?")
+    whole = USUAL | dict(urllib.parse.parse_qsl(query))
     page.evaluate(
         """(address) => {
           history.pushState(null, "", address);
           dispatchEvent(new PopStateEvent("popstate"));
         }""",
-        address,
+        f"{path}?{urllib.parse.urlencode(whole)}",
     )
 
 

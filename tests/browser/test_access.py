@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from explorer import PARAMETERS, agrees, collision_of, settle, visit
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 from rest import rest
 
 pytestmark = pytest.mark.browser
@@ -27,7 +27,6 @@ STATES = {
     "speed and accuracy": "/?scene=accuracy&method=timestep",
     "the paper": "/?scene=paper",
     "switches on logarithmic axes": "/?kappa=2000&map=switches&scale=log",
-    "no such address": "/?kappa=spring",
 }
 
 FOCUSED = """() => {
@@ -92,6 +91,14 @@ def test_axe_finds_nothing_to_object_to_in_what_opens(tab: Page, server: str, wi
         rest(tab)
         assert objections(tab) == []
         tab.keyboard.press("Escape")
+
+
+@pytest.mark.verify
+def test_axe_finds_nothing_to_object_to_at_no_such_address(page: Page, server: str):
+    page.goto("/?kappa=spring")
+    settle(page, server)
+    expect(page.get_by_test_id("notice")).not_to_be_empty()
+    assert objections(page) == []
 
 
 def objections(page: Page) -> list[str]:

@@ -68,6 +68,7 @@ def assert_stands_alone(page: Page, panel: str) -> None:
         assert page.locator(f"[data-panel={each}]").is_visible() == (each == panel)
     assert not page.get_by_test_id("share").is_visible()
     assert page.evaluate("() => document.documentElement.scrollWidth") <= 480
+    rest(page)
     link = page.get_by_test_id("full-page")
     link.hover()
     address = link.get_attribute("href")
