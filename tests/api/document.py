@@ -3,9 +3,11 @@
 import copy
 import functools
 import json
+from collections.abc import Sequence
 from typing import Any
 
 import jsonschema_rs
+import pytest
 
 from restitution.api.app import create_app
 
@@ -50,6 +52,17 @@ def body_of(name: str) -> Any:
     """Return the body of the example of an operation, None if it has none."""
     body = OPERATIONS[name][2].get("requestBody")
     return body and copy.deepcopy(body["content"][JSON]["example"])
+
+
+EVERY_THIRD = pytest.mark.parametrize(
+    "third", [0, *(pytest.param(n, marks=pytest.mark.verify) for n in (1, 2))]
+)
+"""Each value at a third of the places, each place with a third of the values; the rest later."""
+
+
+def third_of(values: Sequence[Any], place: int, third: int) -> Sequence[Any]:
+    """Return every third of the values, another one from place to place."""
+    return values[(place + third) % 3 :: 3]
 
 
 def closed(schema: Any) -> Any:

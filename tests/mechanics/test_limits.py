@@ -136,7 +136,7 @@ def test_no_rebound_is_beyond_the_sharp_stiff_limit(low, high, count):
 
 def test_stiff_limit_is_reached_next_to_its_bound():
     """The swing that ends 2.0035/√κ before the contact, found by scanning: 0.99999 of the bound."""
-    psi = np.linspace(0.2, 1.99, 100_000)
+    psi = np.linspace(0.2, 1.99, 40_000)
     share = np.abs(collide(1e5, psi).epsilon_t) / stiff_limit(np.full(psi.shape, 1e5), psi)[1]
     assert 0.999 < share.max() <= 1.0
 
@@ -155,9 +155,12 @@ def test_stiff_limit_says_nothing_beyond_two():
     assert stiff_bound(0.1, 0.1) == 1.0
 
 
-@pytest.mark.parametrize(("kappa", "largest"), [(63.0, 4.342), (1e3, 4.480), (1e4, 4.4846)])
+@pytest.mark.parametrize(
+    ("kappa", "largest"),
+    [(63.0, 4.342), (1e3, 4.480), pytest.param(1e4, 4.4846, marks=pytest.mark.verify)],
+)
 def test_sharp_stiff_limit_is_reached_from_below(kappa, largest):
-    psi = np.linspace(0.003, 1.999, 40_000)
+    psi = np.linspace(0.003, 1.999, 20_000)
     stiffness = kappa * np.linspace(0.97, 1.03, 21)[:, None]
     scaled = np.abs(collide(stiffness, psi).epsilon_t) * psi * stiffness**1.25
     assert scaled.max() < STIFF_ASYMPTOTE

@@ -130,6 +130,8 @@ def test_certain_counts_are_right(rows):
         assert row.ours.switches == row.truth.switches, pair
 
 
+# of the references alone, without the library
+@pytest.mark.verify
 def test_limits_of_the_document_are_those_of_the_walk():
     # a limit and the walk meet where both hold: 70 digits are enough for ψ = 1e-50
     free, soft = make_numerics.truth(63.0, 1e-50), make_numerics.truth(1e-32, 1.0)

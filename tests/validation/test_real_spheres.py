@@ -79,7 +79,7 @@ def judge(off, normally_off, switches, integrated):
 
 @pytest.mark.parametrize("damped", [False, True])
 def test_random_spheres_agree_with_their_integration_in_si_units(damped):
-    judge(*differences(25, seed=1, damped=damped))
+    judge(*differences(10, seed=1, damped=damped))
 
 
 @pytest.mark.verify
