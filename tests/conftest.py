@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 from hypothesis import settings
 
+from restitution.api.warm import warm, warm_rest
+from restitution.methods import table
 from servers import serving
 
 VALIDATION = Path(__file__).parent / "validation"
@@ -16,6 +18,14 @@ VALIDATION = Path(__file__).parent / "validation"
 # one fixed sequence of examples: a failure on one machine is a failure on every machine
 settings.register_profile("seeded", derandomize=True, deadline=None, max_examples=300)
 settings.load_profile("seeded")
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Compile the kernels and build the table once, before each of several workers would."""
+    several = getattr(session.config.option, "numprocesses", None)
+    if several and not hasattr(session.config, "workerinput") and not table._file().exists():
+        warm()
+        warm_rest()
 
 
 class Reference(NamedTuple):

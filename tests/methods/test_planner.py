@@ -121,6 +121,22 @@ def test_exact_by_name_is_refused_beyond_its_budget():
         solve(1e32, 1e-60, method="exact")
 
 
+def test_exact_by_name_follows_no_more_switches_than_a_request_may():
+    expected = exact.expected_counts(np.array([2e9]), np.array([1.0]), 0.0)[0]
+    too_many = int(exact.MOST_SWITCHES_PER_REQUEST / expected) + 1
+    with counted() as work, pytest.raises(CostError, match="20,000,000"):
+        solve(np.full(too_many, 2e9), 1.0, method="exact")
+    assert work.of_numbers == 0
+
+
+def test_collisions_alike_are_not_followed_where_they_are_too_many_together(monkeypatch):
+    monkeypatch.setattr(exact, "MOST_SWITCHES_PER_REQUEST", 1000)
+    with counted() as work:
+        answer = solve([1.0] + [1e4] * 50, 1.0)
+    assert list(answer.method) == ["exact"] + ["stiff"] * 50
+    assert work["switches"] < 1000
+
+
 def test_budget_is_spent_on_the_softest_collisions(monkeypatch):
     monkeypatch.setattr(exact, "MOST_SWITCHES_PER_REQUEST", 1000)
     kappa = np.array([1.0, 100.0, 1e4, 1e6])

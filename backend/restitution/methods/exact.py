@@ -44,7 +44,9 @@ def switch_limit(expected: FloatArray, most: float = MOST_SWITCHES_PER_REQUEST) 
     if affordable.sum() <= most:
         return float(MOST_SWITCHES)
     ascending = np.sort(affordable)
-    fitting = int(np.searchsorted(np.cumsum(ascending), most))
+    first_beyond = ascending[np.searchsorted(np.cumsum(ascending), most, side="right")]
+    # of collisions alike either all are followed or none
+    fitting = int(np.searchsorted(ascending, first_beyond))
     return float(ascending[fitting - 1]) if fitting else 0.0
 
 
