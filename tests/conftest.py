@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 
 from restitution.api.warm import warm, warm_rest
 from restitution.methods import table
@@ -16,7 +16,14 @@ from servers import serving
 VALIDATION = Path(__file__).parent / "validation"
 
 # one fixed sequence of examples: a failure on one machine is a failure on every machine
-settings.register_profile("seeded", derandomize=True, deadline=None, max_examples=300)
+settings.register_profile(
+    "seeded",
+    derandomize=True,
+    deadline=None,
+    max_examples=300,
+    # a clock of its own
+    suppress_health_check=[HealthCheck.too_slow],
+)
 settings.load_profile("seeded")
 
 
