@@ -39,4 +39,10 @@ export default defineConfig([
     files: ["tests/frontend/**/*.js", "*.config.js"],
     languageOptions: { globals: globals.nodeBuiltin },
   },
+  {
+    // A function that a test has evaluated on the page.
+    files: ["tests/browser/*.js"],
+    languageOptions: { globals: globals.browser },
+    rules: { "no-unused-expressions": "off" },
+  },
 ]);

@@ -9,9 +9,9 @@ import { axisTitle, baseLayout, plainAxis } from "./plot-area.js";
  * @typedef {{muOverAlpha: number, gtOverGn: ArrayLike<number>, psi: ArrayLike<number>, epsilonT: ArrayLike<number>}} FrictionCurve
  */
 
-const MARGIN = { l: 46, r: 14, t: 6, b: 40 };
+const MARGIN = { l: 60, r: 14, t: 6, b: 46 };
 /** Of the height, for the space between both plots and the lower axis' title. */
-const GAP = 0.24;
+const GAP = 0.28;
 const TICKS = [-1, 0, 1];
 /** Where curves lie on each other, the ones below look out at both sides. */
 const WIDTHS = [7, 4, 1.5];

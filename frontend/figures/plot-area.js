@@ -7,9 +7,9 @@
  */
 
 /** Margins are fixed, so that whoever lays something over a plot knows where its axes are: in pixels of the design. */
-export const TRACE_MARGIN = { l: 40, r: 14, t: 6, b: 34 };
-export const MAP_MARGIN = { l: 46, r: 16, t: 8, b: 42 };
-export const CUT_MARGIN = { l: 46, r: 16, t: 6, b: 40 };
+export const TRACE_MARGIN = { l: 48, r: 14, t: 6, b: 38 };
+export const MAP_MARGIN = { l: 60, r: 20, t: 8, b: 46 };
+export const CUT_MARGIN = { l: 60, r: 20, t: 6, b: 46 };
 
 /**
  * Width and height between the axes.
@@ -76,6 +76,7 @@ export function plainAxis(theme, range, tickvals, ticktext) {
     tickcolor: theme.ruleStrong,
     automargin: false,
     ticklabeloverflow: "allow",
+    tickangle: 0,
   };
 }
 

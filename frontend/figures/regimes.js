@@ -15,7 +15,7 @@ const WORDS = {
   backward: { word: "← slides", sign: "←" },
   sticking: { word: "sticks", sign: SPACE },
 };
-const ROOM_FOR_WORD = 72;
+const ROOM_FOR_WORD = 82;
 const ROOM_FOR_SIGN = 30;
 
 /**

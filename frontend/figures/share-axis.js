@@ -1,6 +1,6 @@
 // @ts-check
 
-import { alphaInWords, brief } from "../format/number.js";
+import { alphaInWords, brief, powerOfTen } from "../format/number.js";
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { plainAxis } from "./plot-area.js";
 
@@ -37,7 +37,10 @@ export function shareTicks(scale, kind) {
   const values = kind === "log" ? decades(scale) : evenTicks(scale);
   return {
     tickvals: values.map((value) => scale.toShare(value)),
-    ticktext: values.map(brief),
+    ticktext: values.map((value) =>
+      // "10000" would lie on its neighbours.
+      kind === "log" && value >= 1e4 ? powerOfTen(Math.round(Math.log10(value))) : brief(value),
+    ),
   };
 }
 

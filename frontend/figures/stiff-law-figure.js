@@ -11,7 +11,7 @@ import { axisTitle, baseLayout, plainAxis } from "./plot-area.js";
 
 /** @typedef {import("./theme.js").Theme} Theme */
 
-export const LAW_MARGIN = { l: 52, r: 14, t: 8, b: 42 };
+export const LAW_MARGIN = { l: 62, r: 14, t: 8, b: 46 };
 /** Below that there is nothing to see. */
 const LEAST = 1e-8;
 

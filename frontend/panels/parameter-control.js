@@ -9,7 +9,7 @@ import { find } from "./find.js";
 const TYPING_PAUSE = 600;
 
 /** So many characters stand in a field in the usual type. */
-const USUAL_LENGTH = 9;
+const USUAL_LENGTH = 7;
 
 /**
  * A slider, a number field and a reset for one parameter.

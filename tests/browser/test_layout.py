@@ -1,0 +1,96 @@
+"""No label lies on another, wraps or is cut off: at every width, with a wide and a narrow font."""
+
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page
+from whole_page import open_scene
+
+pytestmark = pytest.mark.browser
+
+SIZES = {320: 640, 390: 844, 820: 1180, 1280: 720, 1440: 900, 1920: 1080}
+
+# Over a text DejaVu Sans is 11 % wider than our own, Liberation Sans Narrow 20 % narrower: so are
+# these, on a machine that has neither.
+FONTS = {"own": 100, "wide": 112, "narrow": 80}
+
+# The longest that stands in each place.
+LONGEST = {
+    "epsilon-t": "−1.888\u202f×\u202f10⁻⁴",
+    "switches": "49988",
+    "reversals": "49988",
+    "energy-lost": ">\u202f99.9\u202f%",
+    "contact-duration": "3.218",
+    "psi": "0.9700",
+    "epsilon-n": "0.0268",
+}
+
+STATES = {
+    "explorer": "kappa=2500000&mu_over_alpha=1.412&gt_over_gn=1.3579&damping=1.5&alpha=0.285714",
+    "undamped": "kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358&map=switches&scale=log&energy=shown",
+    "real spheres": "scene=spheres",
+    "lesson": "scene=lesson&step=9&lang=de&notes=shown",
+    "speed and accuracy": "scene=accuracy&method=timestep&steps=10000&integrator=symplectic_euler",
+    "paper": "scene=paper",
+    "hand-out": "scene=lesson&lang=de&handout=shown&notes=shown",
+}
+
+# The page's own files under another name: Plotly measures a text anew only if its style is another.
+SET_FONT = """async ([name, percent]) => {
+  document.getElementById("font-of-test")?.remove();
+  const style = document.createElement("style");
+  style.id = "font-of-test";
+  const own = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules])
+    .filter((rule) => rule.cssText.includes("woff2"));
+  const faces = own.map((rule) => {
+    const share = parseFloat(rule.style.getPropertyValue("size-adjust") || "100%");
+    return rule.cssText.replace(/size-adjust:[^;]+;/, "").replace("Inter with STIX", name)
+      .replace(/}$/, `size-adjust: ${share * percent / 100}%; }`);
+  });
+  style.textContent = faces.join("") + `:root { --sans: "${name}"; --math: "${name}"; }`
+    // On a phone they lie over what is scrolled beneath them.
+    + ".controls { position: static !important; }";
+  document.head.append(style);
+  await Promise.all(["", "italic "].map((slant) => document.fonts.load(`${slant}16px "${name}"`)));
+}"""
+
+# Once every picture has the size of its place and the font of the page.
+REDRAWN = """async ([name, width]) => {
+  const isLate = (plot) => {
+    const svg = plot.querySelector(".main-svg");
+    const {width, height} = plot.getBoundingClientRect();
+    return svg && plot.checkVisibility() && width > 0
+      && (Math.abs(svg.width.baseVal.value - width) > 1
+        || Math.abs(svg.height.baseVal.value - height) > 1
+        || !plot.querySelector("text")?.style.fontFamily.includes(name));
+  };
+  do {
+    await new Promise(requestAnimationFrame);
+    await new Promise(requestAnimationFrame);
+  } while (innerWidth !== width || [...document.querySelectorAll(".plot")].some(isLate));
+}"""
+
+WRITE = """(texts) => {
+  for (const [name, text] of Object.entries(texts)) {
+    document.querySelector(`[data-testid=${name}]`).textContent = text;
+  }
+  document.querySelector("[data-testid=epsilon-t]").toggleAttribute("data-long", true);
+}"""
+
+FAULTS = Path(__file__).with_name("faults.js").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("state", STATES)
+def test_boxes_keep_apart_in_every_font_and_at_every_width(page: Page, server: str, state: str):
+    page.emulate_media(reduced_motion="reduce")
+    page.set_viewport_size({"width": 1440, "height": 900})
+    open_scene(page, server, STATES[state])
+    page.evaluate(WRITE, LONGEST)
+    faults = []
+    for font, percent in FONTS.items():
+        page.evaluate(SET_FONT, [font, percent])
+        for width, height in SIZES.items():
+            page.set_viewport_size({"width": width, "height": height})
+            page.evaluate(REDRAWN, [font, width])
+            faults += [f"{state}, {width} px, {font}: {each}" for each in page.evaluate(FAULTS)]
+    assert not faults, "\n".join(faults)
