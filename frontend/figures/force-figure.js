@@ -32,11 +32,18 @@ export function forceFigure(trace, theme, size) {
   const perPixel = (2 * reach) / Math.max(1, inner.height - unit * RIBBON_PIXELS);
   const top = reach + unit * RIBBON_PIXELS * perPixel;
   const pixelsPerTime = inner.width / duration;
+  const numbers = switchNumbers(
+    trace.switch_times,
+    duration,
+    (reach + top) / 2,
+    pixelsPerTime,
+    theme,
+  );
   const ribbon = { base: reach + unit * perPixel, top: top - unit * perPixel };
   return {
     data: [
       regimeShades(episodes, { base: -reach, top: reach }, theme),
-      regimeRibbon(episodes, ribbon, pixelsPerTime, theme),
+      regimeRibbon(episodes, ribbon, numbers.x, pixelsPerTime, theme),
       envelope(time, normalForce, theme),
       {
         name: "tangential force / mu",
@@ -46,7 +53,7 @@ export function forceFigure(trace, theme, size) {
         y: trace.tangential_force_over_mu,
         line: { width: 2.25 * unit, color: theme.tangentialForce, simplify: false },
       },
-      switchNumbers(trace.switch_times, duration, (reach + top) / 2, pixelsPerTime, theme),
+      numbers,
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),

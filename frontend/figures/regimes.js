@@ -48,10 +48,11 @@ export function regimeShades(episodes, extent, theme) {
  * The ribbon that gives each episode the colour of its regime and, where there is room, its name.
  * @param {Episode[]} episodes
  * @param {Extent} extent
+ * @param {number[]} marks where something lies on it, in time
  * @param {number} pixelsPerTime
  * @param {Theme} theme
  */
-export function regimeRibbon(episodes, extent, pixelsPerTime, theme) {
+export function regimeRibbon(episodes, extent, marks, pixelsPerTime, theme) {
   const colors = {
     forward: theme.sliding,
     backward: theme.slidingBack,
@@ -60,7 +61,7 @@ export function regimeRibbon(episodes, extent, pixelsPerTime, theme) {
   return {
     name: "ribbon",
     ...bars(episodes, extent, colors),
-    text: episodes.map((episode) => words(episode, pixelsPerTime / theme.unit)),
+    text: episodes.map((episode) => words(episode, marks, pixelsPerTime / theme.unit)),
     textposition: "inside",
     insidetextanchor: "middle",
     insidetextfont: { size: 11 * theme.unit, color: theme.onRegime },
@@ -91,10 +92,13 @@ function bars(episodes, { base, top }, colors) {
 
 /**
  * @param {Episode} episode
+ * @param {number[]} marks
  * @param {number} pixelsPerTime of the design
  */
-function words(episode, pixelsPerTime) {
-  const room = (episode.end - episode.start) * pixelsPerTime;
+function words(episode, marks, pixelsPerTime) {
+  const middle = (episode.start + episode.end) / 2;
+  const free = [episode.end, ...marks].map((place) => Math.abs(place - middle));
+  const room = 2 * Math.min(...free) * pixelsPerTime;
   const { word, sign } = WORDS[regimeOf(episode)];
   if (room > ROOM_FOR_WORD) {
     return word;

@@ -79,10 +79,12 @@
   const all = [...lines, ...controls].filter(({ element }) => !isLaidOver(element));
   all.forEach(({ element, box }, i) => {
     for (const { element: other, box: otherBox } of all.slice(i + 1)) {
-      const areOne = element === other || element.contains(other) || other.contains(element);
+      if (!meet(box, otherBox) || element.contains(other) || other.contains(element)) {
+        continue;
+      }
       // A radio lies over the whole of its own label.
       const label = other.closest("label") ?? element.closest("label");
-      if (!areOne && meet(box, otherBox) && !(label?.contains(element) && label.contains(other))) {
+      if (!(label?.contains(element) && label.contains(other))) {
         say("overlap:", element, box, other, otherBox);
       }
     }
