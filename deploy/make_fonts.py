@@ -20,35 +20,39 @@ INTER = PACKAGES / "inter-ui"
 STIX = PACKAGES / "@expo-google-fonts" / "stix-two-text"
 NOTO = PACKAGES / "@expo-google-fonts" / "noto-sans-math"
 
-LETTERS = (
-    # Latin-1, Latin Extended-A, Greek, and Latin letters with the dots of derivatives
-    *(*range(0x20, 0x7F), *range(0xA0, 0x180), *range(0x384, 0x3CF)),
-    *(0x3D1, 0x3D5, 0x3F1, 0x3F5, 0x1E56, 0x1E57, *range(0x1E8A, 0x1E8E)),
-    # combining accents
-    *range(0x300, 0x30D),
-)
-SIGNS = (
-    "\u2009\u200a\u202f‐‑‒–—―‘’‚“”„†‡•…‰′″‹›⁄€ℓ™"
-    "⁰⁴⁵⁶⁷⁸⁹⁺⁻⁼⁽⁾₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎"
-    "←↑→↓↔↕↺∂∆∏∑−∕√∞∫≈≠≤≥"
-    "■□▲△▶▷▼▽◀◁◆◇○●★☆✓✗①②③④⑤⑥⑦⑧⑨"
-)
+# What the first view needs comes first and small; the rest when it is shown.
+FIRST = {
+    *range(0x20, 0x7F),
+    *map(ord, "\u00a0°±²³µ·¹¼½×ÄÖÜßäöü"),
+    *map(ord, "\u2009\u200a\u202f–—‘’“”…′⁰⁴⁵⁶⁷⁸⁹⁻←→↺∂∏∑−√∞∫≈≠≤≥✓✗"),
+}
+GREEK = {*range(0x384, 0x3CF), 0x3D1, 0x3D5, 0x3F1, 0x3F5}
+# Latin letters with the dots of derivatives, and accents for other letters
+DERIVATIVES = {0x1E56, 0x1E57, *range(0x1E8A, 0x1E8E), *range(0x300, 0x30D)}
+EXTENDED = {
+    *({*range(0xA0, 0x180)} - FIRST),
+    *(*GREEK, *DERIVATIVES),
+    *map(ord, "‐‑‒―‚„†‡•‰″‹›⁄€ℓ™⁺⁼⁽⁾₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎↑↓↔↕∆∕"),
+    *map(ord, "■□▲△▶▷▼▽◀◁◆◇○●★☆①②③④⑤⑥⑦⑧⑨"),
+}
+SYMBOLS = {*range(0x20, 0x7F), *range(0x391, 0x3CA), 0x3D1, 0x3D5, 0x3F1, 0x3F5, *DERIVATIVES}
 # What Inter lacks of them comes from a mathematical face, in the file of the symbols.
 SIGNS_OF_NOTO = "∓≪≫≲≳⋯⬢"
 
 
 def main() -> None:
-    """Write both files, each with the licences of what is in it."""
+    """Write the files, each with the licences of what is in it."""
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "frontend" / "fonts"
-    save(text_face(), folder / "inter.woff2")
+    save(text_face(FIRST), folder / "inter.woff2")
+    save(text_face(EXTENDED), folder / "inter-extended.woff2")
     save(symbol_face(folder), folder / "stix-two-text-italic.woff2")
     shutil.copy(INTER / "LICENSE.txt", folder / "inter.LICENSE")
     shutil.copy(STIX / "LICENSE_FONT", folder / "stix-two-text-italic.LICENSE")
     shutil.copy(NOTO / "LICENSE_FONT", folder / "noto-sans-math.LICENSE")
 
 
-def text_face() -> TTFont:
-    """Return Inter with the weights of the page, at the optical size of small text."""
+def text_face(code_points: set[int]) -> TTFont:
+    """Return characters of Inter, with the weights of the page and the design for small text."""
     font = open_font(INTER / "variable" / "InterVariable.woff2")
     # Its tabular figures become its only ones: so they are in saved pictures, too, where no style
     # sheet asks for them, and its full stop keeps its width in prose.
@@ -56,7 +60,7 @@ def text_face() -> TTFont:
     digits = {ord(digit): tabular[font.getBestCmap()[ord(digit)]] for digit in "0123456789"}
     for table in font["cmap"].tables:
         table.cmap.update(digits)
-    keep(font, [*LETTERS, *map(ord, SIGNS)], ["kern", "mark", "mkmk", "ccmp", "locl"])
+    keep(font, code_points, ["kern", "mark", "mkmk", "ccmp", "locl"])
     return instantiateVariableFont(font, {"opsz": 14, "wght": (300, 400, 700)})
 
 
@@ -77,7 +81,7 @@ def substitutes(font: TTFont, feature: str) -> dict[str, str]:
 def symbol_face(folder: Path) -> TTFont:
     """Return STIX Two's italic, and upright the signs that neither it nor Inter has."""
     italic = open_font(STIX / "400Regular_Italic" / "STIXTwoText_400Regular_Italic.ttf")
-    keep(italic, LETTERS, ["kern", "mark", "mkmk", "ccmp"])
+    keep(italic, SYMBOLS, ["mark", "ccmp"])
     signs = open_font(NOTO / "400Regular" / "NotoSansMath_400Regular.ttf")
     keep(signs, map(ord, SIGNS_OF_NOTO), [])
     parts = []

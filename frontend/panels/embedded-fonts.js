@@ -30,8 +30,8 @@ function addressIn(cssText) {
  * @param {string} svg
  */
 function isUsed({ style }, svg) {
-  if (style.getPropertyValue("font-style") === "italic") {
-    return svg.includes("italic");
+  if (style.getPropertyValue("font-style") === "italic" && !svg.includes("italic")) {
+    return false;
   }
   const range = style.getPropertyValue("unicode-range");
   return !range || [...svg].some((letter) => isIn(range, letter));
