@@ -108,6 +108,16 @@
     }
   }
 
+  // What a style sheet writes beside a text, as the sign beside ε_t, has no box to be asked for.
+  for (const element of document.querySelectorAll("body *")) {
+    const written = ["::before", "::after"].some((part) =>
+      /^".*\\S/.test(getComputedStyle(element, part).content),
+    );
+    if (written && seen(element) && element.scrollWidth > element.clientWidth + 1) {
+      say("more than its own width:", element, element.getBoundingClientRect());
+    }
+  }
+
   // Choices of a picture are all beside its title or all below it.
   for (const group of document.querySelectorAll(".choices")) {
     const title = group.parentElement.querySelector("h2").getBoundingClientRect();

@@ -14,9 +14,8 @@ import pytest
 from explorer import Witness
 from fontTools.ttLib import TTFont
 from playwright.sync_api import Browser, Error, Page, Route
+from rest import eventually
 from whole_page import SCENES, open_scene
-
-from waiting import eventually
 
 pytestmark = pytest.mark.browser
 
@@ -174,7 +173,7 @@ def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
             assert len(page.evaluate(WORDS)) > 20
             assert page.get_by_test_id("epsilon-t").inner_text() != "–"
 
-        eventually(is_drawn, lambda seconds: page.wait_for_timeout(1000 * seconds))
+        eventually(is_drawn, page)
         before = page.evaluate(WORDS)
         assert len(routes) == page.locator("link[as=font]").count() == 2
         for route in routes:
@@ -189,7 +188,7 @@ def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
             places = [[place for _, *place in of] for of in (now, words)]
             np.testing.assert_allclose(*places, atol=0.1)
 
-        eventually(is_redrawn, lambda seconds: page.wait_for_timeout(1000 * seconds))
+        eventually(is_redrawn, page)
         assert before != page.evaluate(WORDS)
         shift = sum(page.evaluate("() => window.shifts"))
         print(f"layout shift at {width} px with fonts that come late: {shift:.4f}")

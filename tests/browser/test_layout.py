@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page
+from rest import eventually
 from whole_page import open_scene
 
 pytestmark = pytest.mark.browser
@@ -55,8 +56,8 @@ SET_FONT = """async ([name, percent]) => {
   await Promise.all(["", "italic "].map((slant) => document.fonts.load(`${slant}16px "${name}"`)));
 }"""
 
-# Once every picture has the size of its place and the font of the page.
-REDRAWN = """async ([name, width]) => {
+# Pictures that have not yet the size of their place and the font of the page.
+LATE = """([name, width]) => {
   const isLate = (plot) => {
     const svg = plot.querySelector(".main-svg");
     const {width, height} = plot.getBoundingClientRect();
@@ -65,10 +66,8 @@ REDRAWN = """async ([name, width]) => {
         || Math.abs(svg.height.baseVal.value - height) > 1
         || !plot.querySelector("text")?.style.fontFamily.includes(name));
   };
-  do {
-    await new Promise(requestAnimationFrame);
-    await new Promise(requestAnimationFrame);
-  } while (innerWidth !== width || [...document.querySelectorAll(".plot")].some(isLate));
+  const late = [...document.querySelectorAll(".plot")].filter(isLate);
+  return [...(innerWidth === width ? [] : ["window"]), ...late.map((plot) => plot.dataset.testid)];
 }"""
 
 WRITE = """(texts) => {
@@ -102,6 +101,10 @@ def test_boxes_keep_apart_in_every_font_and_at_every_width(
         page.evaluate(SET_FONT, [font, FONTS[font]])
         for width in widths:
             page.set_viewport_size({"width": width, "height": SIZES[width]})
-            page.evaluate(REDRAWN, [font, width])
+            eventually(lambda look=[font, width]: is_drawn(page, look), page)
             faults += [f"{state}, {width} px, {font}: {each}" for each in page.evaluate(FAULTS)]
     assert not faults, "\n".join(faults)
+
+
+def is_drawn(page: Page, look: list[str | int]) -> None:
+    assert page.evaluate(LATE, look) == []

@@ -2,8 +2,7 @@
 
 from explorer import agrees
 from playwright.sync_api import Page
-
-from waiting import eventually
+from rest import eventually
 
 SCENES = {
     "explorer": "",
@@ -35,4 +34,4 @@ def open_scene(page: Page, server: str, query: str) -> None:
         # its numbers are those of the address
         assert "scene=" in query or agrees(page, server), query
 
-    eventually(is_complete, lambda seconds: page.wait_for_timeout(1000 * seconds))
+    eventually(is_complete, page)
