@@ -22,9 +22,15 @@ const LINES = 2;
 export function mountHandout(element, onClose) {
   let isShown = false;
 
+  /** @param {boolean} isThere */
+  function stand(isThere) {
+    element.hidden = !isThere;
+    document.documentElement.toggleAttribute("data-handout", isThere);
+  }
+
   function hide() {
     isShown = false;
-    element.hidden = true;
+    stand(false);
     element.replaceChildren();
   }
 
@@ -54,7 +60,7 @@ export function mountHandout(element, onClose) {
       }
       title.id = "handout-title";
       title.tabIndex = -1;
-      element.hidden = false;
+      stand(true);
       element.setAttribute("aria-labelledby", title.id);
       element.replaceChildren(
         make("div", "handout-tools", print, close),

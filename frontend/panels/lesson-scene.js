@@ -198,8 +198,11 @@ export function mountLessonScene(element, handoutElement, { loadTexts, onError, 
       told("h3", "", say("lesson.notes.title")),
       ...(notes.hidden ? [] : [teacherNotes(step, say)]),
     );
-    element.dataset.look = step.look.join(" ");
-    element.dataset.steers = step.question.kind === "goal" ? step.question.steers.join(" ") : "";
+    // On the root and not found by :has(), for which Chromium works out all styles anew whenever
+    // anything is put into the page, as Plotly does for each text that it measures.
+    const root = document.documentElement.dataset;
+    root.look = step.look.join(" ");
+    root.steers = step.question.kind === "goal" ? step.question.steers.join(" ") : "";
     drawProgress();
     handout.show(present, say, language);
   }

@@ -87,6 +87,11 @@ export function mountShell({ present, onOption }) {
       for (const panel of document.querySelectorAll("[data-panel]")) {
         panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
       }
+      // Found here, for a :has() in a style sheet is looked for at every text that Plotly measures.
+      for (const group of document.querySelectorAll(".dashboard > *")) {
+        const holds = group.querySelector("[data-embedded]") !== null;
+        group.toggleAttribute("data-holds-embedded", holds);
+      }
       for (const part of document.querySelectorAll("main [data-scene]")) {
         const own = part.getAttribute("data-scene")?.split(" ") ?? [];
         part.toggleAttribute("hidden", !own.includes(scene));

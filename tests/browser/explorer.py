@@ -142,7 +142,11 @@ def percentage(energy: dict[str, float]) -> str:
 
 
 def visit(page: Page, address: str) -> None:
-    """Go to an address as the page's own links do, which hold the collision: nothing is loaded."""
+    """Go to an address as the page's own links do, which hold the collision: nothing is loaded.
+
+    Not to real spheres: their collision is worked out, and only their own links know it.
+    """
+    assert "scene=spheres" not in address
     path, _, query = address.partition("?")
     whole = USUAL | dict(urllib.parse.parse_qsl(query))
     page.evaluate(
