@@ -187,7 +187,7 @@ def test_figures_of_the_paper_are_shown_with_their_captions(tab: Page, server: s
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("equal steel spheres")
     choose(tab, "velocity_law", "coulomb")
     expect(tab.get_by_test_id("figure-caption")).to_be_empty()
-    visit(tab, presets["figure-1"]["link"])
+    tab.goto(presets["figure-1"]["link"])
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("Coulomb's law")
 
 
