@@ -10,7 +10,7 @@ import waiting
 T = TypeVar("T")
 
 # Runs before the page's own scripts: counts requests whose answers are not read yet, timers, and
-# frames asked for.
+# frames asked for; looks for transitions.
 COUNT_PENDING = """(() => {
   const direct = {
     fetch: window.fetch,
@@ -51,7 +51,10 @@ COUNT_PENDING = """(() => {
   };
   count("setTimeout", "clearTimeout");
   count("requestAnimationFrame", "cancelAnimationFrame");
-  const isResting = () => underWay === 0 && sets.every((pending) => pending.size === 0);
+  // A change of colours runs on, from element to element that inherits it.
+  const isChanging = () => document.getAnimations().some((one) => one instanceof CSSTransition);
+  const isResting = () =>
+    underWay === 0 && sets.every((pending) => pending.size === 0) && !isChanging();
   const frame = () => new Promise((resolve) => {
     direct.requestAnimationFrame.call(window, () => direct.setTimeout.call(window, resolve));
   });

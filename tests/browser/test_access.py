@@ -78,6 +78,7 @@ def test_axe_finds_nothing_to_object_to(
     go = tab.goto if state == "real spheres" else functools.partial(visit, tab)
     go(STATES[state])
     settle(tab, server)
+    rest(tab)
     assert objections(tab) == []
 
 

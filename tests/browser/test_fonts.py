@@ -41,6 +41,12 @@ WORDS = """() => [...document.querySelectorAll(".plot text")].map((text) => {
   return [text.textContent, x, y, width];
 })"""
 
+# A font is asked for when a layout needs it.
+FONTS_ARE_THERE = """async () => {
+  document.body.getBoundingClientRect();
+  await document.fonts.ready;
+}"""
+
 LENGTHS = """() => [...document.querySelectorAll("svg text")]
   .filter((text) => text.getComputedTextLength() > 0)
   .map((text) => [text.textContent, text.getComputedTextLength()])"""
@@ -211,7 +217,7 @@ def alone(browser: Browser, svg: str) -> Page:
     """A page that holds nothing but a picture."""
     page = browser.new_page(device_scale_factor=3)
     page.set_content(f"<body style='margin: 0'>{svg}</body>")
-    page.evaluate("() => document.fonts.ready")
+    page.evaluate(FONTS_ARE_THERE)
     return page
 
 
@@ -226,6 +232,7 @@ def test_saved_pictures_bring_their_fonts(
     assert svg.count("@font-face") >= 2
     # On the page itself, which has the fonts, they change nothing; elsewhere they do.
     page.evaluate("(svg) => { document.body.innerHTML = svg; }", bare)
+    page.evaluate(FONTS_ARE_THERE)
     there = page.evaluate(LENGTHS)
     drawn, without = alone(browser, svg), alone(browser, bare)
     lengths = [drawn.evaluate(LENGTHS), without.evaluate(LENGTHS)]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page
-from rest import eventually
+from rest import eventually, rest
 from whole_page import open_scene
 
 pytestmark = pytest.mark.browser
@@ -102,6 +102,7 @@ def test_boxes_keep_apart_in_every_font_and_at_every_width(
         for width in widths:
             page.set_viewport_size({"width": width, "height": SIZES[width]})
             eventually(lambda look=[font, width]: is_drawn(page, look), page)
+            rest(page)
             faults += [f"{state}, {width} px, {font}: {each}" for each in page.evaluate(FAULTS)]
     assert not faults, "\n".join(faults)
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from explorer import Witness, ask, collision_of, settle, trace_of, visit
 from playwright.sync_api import Page, expect
-from rest import eventually
+from rest import eventually, rest
 from test_access import objections
 
 pytestmark = pytest.mark.browser
@@ -216,6 +216,7 @@ def test_axe_finds_nothing_to_object_to_in_the_list(tab: Page, width: int, schem
     open_scene(tab, "&paper_verdict=fails")
     tab.locator(".statement summary").first.click()
     expect(tab.get_by_test_id("switch-law-said")).not_to_be_empty()
+    rest(tab)
     assert objections(tab) == []
 
 
