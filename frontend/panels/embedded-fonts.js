@@ -59,7 +59,10 @@ function isIn(range, letter) {
 async function embedded({ cssText }, loadFont) {
   const address = addressIn(cssText);
   try {
-    return cssText.replace(address, await dataUri(await loadFont(address)));
+    const uri = await dataUri(await loadFont(address));
+    // A picture that becomes a bitmap is drawn at once, with the fonts that are known by then.
+    await new FontFace("embedded", `url("${uri}")`).load();
+    return cssText.replace(address, uri);
   } catch {
     // Without a server a picture is still worth saving.
     return "";

@@ -19,6 +19,8 @@ PAGE_HEADERS = {
     # Plotly sets styles from its script; nothing else is inline, nothing comes from elsewhere.
     "Content-Security-Policy": (
         "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+        # what a saved picture embeds is read once by the page itself, see embedded-fonts.js
+        "font-src 'self' data:; "
         # no rule about frames: anybody may show it in one, that is what `embed` is for
         "object-src 'none'; base-uri 'none'; form-action 'none'"
     )
