@@ -13,7 +13,7 @@ import numpy as np
 from explorer import settle
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, sync_playwright
 from record import report
-from rest import count_pending, rest
+from rest import WATCH_SHIFTS, count_pending, layout_shift, rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
 
 from servers import serving
@@ -24,15 +24,8 @@ DRAG_SECONDS = 3.0
 SLIDERS = {"κ": "kappa", "μ/α": "mu-over-alpha", "g_t/g_n": "gt-over-gn", "η": "damping"}
 DELAYS = (0, 100, 500)
 
-# Runs before the page's own scripts: when strip and force trace are there, what moved before, and
-# what came over the wire.
+# Runs before the page's own scripts: when strip and force trace are there.
 WATCH = """
-window.shifts = [];
-new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) {
-    if (!entry.hadRecentInput) window.shifts.push(entry.value);
-  }
-}).observe({type: "layout-shift", buffered: true});
 const isThere = () => {
   const strip = document.querySelector("[data-testid=epsilon-t]")?.textContent ?? "–";
   const lines = document.querySelectorAll("[data-testid=force-trace] .js-line");
@@ -106,6 +99,7 @@ def first_view(browser: Browser, server: str) -> Figures:
     for _ in range(FIRST_VIEWS):
         context = open_context(browser)
         page = context.new_page()
+        page.add_init_script(WATCH_SHIFTS)
         page.add_init_script(WATCH)
         received: dict[str, int] = {}
         client = context.new_cdp_session(page)
@@ -120,7 +114,7 @@ def first_view(browser: Browser, server: str) -> Figures:
         settle(page, server)
         rest(page)
         there.append(page.evaluate("() => thereAt"))
-        shifts.append(page.evaluate("() => shifts.reduce((sum, shift) => sum + shift, 0)"))
+        shifts.append(layout_shift(page))
         bytes_.append(sum(received.values()))
         context.close()
     return {

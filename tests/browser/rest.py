@@ -68,6 +68,23 @@ COUNT_PENDING = """(() => {
   };
 })();"""
 
+# Runs before the page's own scripts, whose policy does not concern it.
+WATCH_SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => {
+  for (const entry of list.getEntries()) {
+    if (!entry.hadRecentInput) window.shifts.push(entry.value);
+  }
+}).observe({type: "layout-shift", buffered: true});
+"""
+
+LARGEST_LAYOUT_SHIFT = 0.05
+
+
+def layout_shift(page: Page) -> float:
+    """Return how much has moved without an input, where `WATCH_SHIFTS` runs."""
+    return sum(page.evaluate("() => window.shifts"))
+
 
 def count_pending(context: BrowserContext) -> None:
     """Let `rest` know what the pages of a context have before them; their time-outs are minutes."""

@@ -14,7 +14,7 @@ import pytest
 from explorer import Witness
 from fontTools.ttLib import TTFont
 from playwright.sync_api import Browser, Error, Page, Route
-from rest import eventually
+from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, eventually, layout_shift
 from whole_page import SCENES, open_scene
 
 pytestmark = pytest.mark.browser
@@ -23,17 +23,7 @@ ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "frontend" / "fonts"
 FONTS = sorted(FOLDER.glob("*.woff2"))
 MOST_BYTES = 130_000
-LARGEST_LAYOUT_SHIFT = 0.05
 FAMILIES = {"Inter Variable", "STIX Two Text"}
-
-WATCH_FOR_SHIFTS = """
-window.shifts = [];
-new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) {
-    if (!entry.hadRecentInput) window.shifts.push(entry.value);
-  }
-}).observe({type: "layout-shift", buffered: true});
-"""
 
 # Where Plotly has put its words, and how wide they are.
 WORDS = """() => [...document.querySelectorAll(".plot text")].map((text) => {
@@ -174,7 +164,7 @@ def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
     options = {"base_url": server, "viewport": size, "reduced_motion": "reduce"}
     with browser.new_context(**options) as context, browser.new_context(**options) as other:
         page = context.new_page()
-        page.add_init_script(WATCH_FOR_SHIFTS)
+        page.add_init_script(WATCH_SHIFTS)
         witness = Witness(page, server)
         routes = held(page)
         page.goto("/", wait_until="domcontentloaded")
@@ -200,7 +190,7 @@ def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
 
         eventually(is_redrawn, page)
         assert before != page.evaluate(WORDS)
-        shift = sum(page.evaluate("() => window.shifts"))
+        shift = layout_shift(page)
         print(f"layout shift at {width} px with fonts that come late: {shift:.4f}")
         assert shift <= LARGEST_LAYOUT_SHIFT
         witness.assert_silence()

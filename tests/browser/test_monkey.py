@@ -4,7 +4,7 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from explorer import IMPACT_PARAMETERS, PARAMETERS, collision_of, settle, text
+from explorer import IMPACT_PARAMETERS, PARAMETERS, collision_of, settle, text, visit
 from playwright.sync_api import BrowserContext, Page, Route, expect
 
 pytestmark = pytest.mark.browser
@@ -231,10 +231,7 @@ def assert_works(page: Page, server: str, monkey: Monkey) -> None:
     page.emulate_media(color_scheme="light", reduced_motion="no-preference", media="screen")
     page.set_viewport_size({"width": 1440, "height": 900})
     expect(page.get_by_test_id("banner")).to_be_empty()
-    page.evaluate("""() => {
-      history.pushState(null, "", "/?kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358");
-      dispatchEvent(new PopStateEvent("popstate"));
-    }""")
+    visit(page, "/")
     settle(page, server)
     assert text(page, "switches") == "8"
     page.keyboard.press("Escape")

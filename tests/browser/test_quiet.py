@@ -3,27 +3,16 @@
 import itertools
 import re
 import urllib.parse
-from collections.abc import Iterator
+from collections.abc import Callable
 
 import pytest
 from explorer import PARAMETERS, Witness, ask, settle, text, trace_of
-from playwright.sync_api import Browser, Page, Route, expect
-from rest import count_pending, eventually, rest
+from playwright.sync_api import BrowserContext, Page, Route, expect
+from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, eventually, layout_shift, rest
 
 pytestmark = pytest.mark.browser
 
-LARGEST_LAYOUT_SHIFT = 0.05
 WIRE_BYTES = 1_700_000
-
-# Runs before the page's own scripts; the page's policy does not concern it.
-WATCH_SHIFTS = """
-window.shifts = [];
-new PerformanceObserver((list) => {
-  for (const entry of list.getEntries()) {
-    if (!entry.hadRecentInput) window.shifts.push(entry.value);
-  }
-}).observe({type: "layout-shift", buffered: true});
-"""
 
 # Where on the page every picture and control is.
 PLACES = """() => Object.fromEntries(
@@ -44,7 +33,7 @@ def test_the_page_says_nothing_calls_nobody_and_does_not_jump(page: Page, server
     page.goto("/")
     settle(page, server)
     rest(page)
-    shift = sum(page.evaluate("() => window.shifts"))
+    shift = layout_shift(page)
     print(f"layout shift at {width} px: {shift:.4f}")
     assert shift < LARGEST_LAYOUT_SHIFT
     for name in ("figure-5-a", "figure-6", "stiff-limit"):
@@ -110,12 +99,9 @@ def test_the_policy_stops_a_script_that_found_its_way_in(page: Page, server: str
 
 
 @pytest.fixture
-def cold_page(browser: Browser, browser_context_args: dict) -> Iterator[Page]:
+def cold_page(open_context: Callable[[], BrowserContext]) -> Page:
     """A page in a context of its own, whose cache is empty."""
-    context = browser.new_context(**browser_context_args)
-    count_pending(context)
-    yield context.new_page()
-    context.close()
+    return open_context().new_page()
 
 
 def test_the_phenomenon_waits_for_nothing_but_its_own_answer(cold_page: Page, server: str):

@@ -7,21 +7,13 @@ from pathlib import Path
 import pytest
 from explorer import ask, collision_of, settle, text, visit
 from playwright.sync_api import Page
-from rest import rest
+from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, layout_shift, rest
 
 pytestmark = pytest.mark.browser
 
 PANELS = ["result", "force", "velocity", "contact", "map", "cut"]
 ACCURACY_PANELS = ["tradeoff", "error_map", "overlay", "steps"]
 SPHERES_PANELS = ["velocities", "sphere_cut", "impact", "place"]
-
-LAYOUT_SHIFT = """() => new Promise((resolve) => {
-  let sum = 0;
-  new PerformanceObserver((list) => {
-    for (const entry of list.getEntries()) sum += entry.hadRecentInput ? 0 : entry.value;
-  }).observe({type: "layout-shift", buffered: true});
-  setTimeout(() => resolve(sum), 500);
-})"""
 
 
 def paper(page: Page) -> str:
@@ -151,7 +143,9 @@ def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
     page: Page, server: str, size: tuple[int, int]
 ):
     page.set_viewport_size({"width": size[0], "height": size[1]})
+    page.add_init_script(WATCH_SHIFTS)
     page.goto("/?theme=dark")
     settle(page, server)
-    assert page.evaluate(LAYOUT_SHIFT) < 0.05
+    rest(page)
+    assert layout_shift(page) < LARGEST_LAYOUT_SHIFT
     assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0]
