@@ -34,7 +34,7 @@ function isUsed({ style }, svg) {
     return false;
   }
   const range = style.getPropertyValue("unicode-range");
-  return !range || [...svg].some((letter) => isIn(range, letter));
+  return !range || [...new Set(svg)].some((letter) => isIn(range, letter));
 }
 
 /**
