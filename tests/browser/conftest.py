@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from explorer import settle, visit
-from playwright.sync_api import Browser, BrowserContext, Page, expect
-from rest import count_pending
+from playwright.sync_api import BrowserContext, BrowserType, Page, expect
+from rest import count_pending, rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
 
 from waiting import LIMIT_SECONDS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Iterator
+    from collections.abc import Generator, Iterator
 
 expect.set_options(timeout=1000 * LIMIT_SECONDS)
 
@@ -36,32 +36,30 @@ def base_url(server: str) -> str:
 
 
 @pytest.fixture(scope="session")
-def open_context(
-    browser: Browser, browser_context_args: dict[str, Any]
-) -> Iterator[Callable[[], BrowserContext]]:
-    contexts = []
+def kept_context(
+    browser_type: BrowserType,
+    browser_type_launch_args: dict[str, Any],
+    browser_context_args: dict[str, Any],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Iterator[BrowserContext]:
+    """The context that all tests share: the page stores nothing, and its scripts stay compiled.
 
-    def open_one() -> BrowserContext:
-        contexts.append(browser.new_context(**browser_context_args))
-        count_pending(contexts[-1])
-        return contexts[-1]
-
-    yield open_one
-    for context in contexts:
-        context.close()
-
-
-@pytest.fixture(scope="session")
-def kept_context(open_context: Callable[[], BrowserContext]) -> BrowserContext:
-    return open_context()
+    They do so for a browser with a folder of its own alone: a load takes half the work.
+    """
+    folder = tmp_path_factory.mktemp("profile")
+    options = browser_type_launch_args | browser_context_args
+    with browser_type.launch_persistent_context(folder, **options) as context:
+        count_pending(context)
+        yield context
 
 
 @pytest.fixture
 def context(kept_context: BrowserContext) -> Iterator[BrowserContext]:
-    """The context that all tests share: the page stores nothing, and its scripts stay compiled."""
+    before = kept_context.pages
     yield kept_context
     for page in kept_context.pages:
-        page.close()
+        if page not in before:
+            page.close()
     kept_context.unroute_all()
     kept_context.set_offline(False)
 
@@ -77,17 +75,25 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 
 @pytest.fixture(scope="session")
-def kept_tab(open_context: Callable[[], BrowserContext]) -> Page:
-    page = open_context().new_page()
+def kept_tab(kept_context: BrowserContext) -> Page:
+    page = kept_context.new_page()
     page.goto("/")
     return page
 
 
 @pytest.fixture
-def tab(kept_tab: Page, server: str, request: pytest.FixtureRequest) -> Iterator[Page]:
+def tab(used_tab: Page, server: str) -> Page:
     """The page at its usual state in a tab that stays open, for tests that load nothing anew."""
-    visit(kept_tab, "/")
-    settle(kept_tab, server)
+    visit(used_tab, "/")
+    settle(used_tab, server)
+    return used_tab
+
+
+@pytest.fixture
+def used_tab(kept_tab: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
+    """The same tab where the last test left it, for a test that goes to an address of its own."""
+    # what the last test began is none of the next one's
+    rest(kept_tab)
     yield kept_tab
     kept_tab.unroute_all()
     kept_tab.keyboard.press("Escape")

@@ -1,7 +1,9 @@
 """What tests do with the page: read its numbers, wait until it rests, ask the API beside it."""
 
+import functools
 import json
 import math
+import urllib.error
 import urllib.parse
 import urllib.request
 
@@ -32,6 +34,15 @@ def text(page: Page, name: str) -> str:
     return page.get_by_test_id(name).inner_text()
 
 
+def texts(page: Page, *names: str) -> dict[str, str]:
+    """Several texts as they stand at one moment."""
+    return page.evaluate(
+        """(names) => Object.fromEntries(names.map((name) =>
+          [name, document.querySelector(`[data-testid="${name}"]`).innerText]))""",
+        names,
+    )
+
+
 def number(shown: str) -> float:
     """The number that a typeset one stands for; none where nothing is known yet."""
     if shown == "–":
@@ -53,8 +64,14 @@ def collision_of(page: Page) -> dict[str, float]:
 
 def ask(server: str, call: str, **parameters: object) -> dict:
     query = urllib.parse.urlencode(parameters)
-    with urllib.request.urlopen(f"{server}/api/v1/{call}?{query}") as answer:
-        return json.load(answer)
+    return json.loads(answer_to(f"{server}/api/v1/{call}?{query}"))
+
+
+@functools.lru_cache(maxsize=50)
+def answer_to(url: str) -> bytes:
+    """What a server says to a question, which it says again while the page is waited for."""
+    with urllib.request.urlopen(url) as answer:
+        return answer.read()
 
 
 def post(server: str, call: str, body: dict) -> dict:
@@ -85,39 +102,39 @@ def accuracy_of(page: Page) -> dict[str, str]:
 def agrees(page: Page, server: str) -> bool:
     """Whether the strip shows what the API answers to the address bar's collision."""
     answer = ask(server, "collision", **collision_of(page))
+    shown = texts(page, "epsilon-t", "switches", "reversals", "summary", "accuracy-refusal")
     epsilon_t = answer["epsilon_t"]
     # where the method does not answer, the page says so, and the exact value stands in
-    if accuracy_of(page) and not text(page, "accuracy-refusal"):
+    if accuracy_of(page) and not shown["accuracy-refusal"]:
         asked = {**collision_of(page), **accuracy_of(page), "quantities": "epsilon_t"}
-        epsilon_t = ask(server, "collision", **asked)["epsilon_t"]
+        try:
+            epsilon_t = ask(server, "collision", **asked)["epsilon_t"]
+        except urllib.error.HTTPError:
+            # the page is going to say so
+            return False
     return (
-        number(text(page, "epsilon-t")) == float(f"{epsilon_t:.4g}")
-        and text(page, "switches") == str(answer["switches"])
-        and text(page, "reversals") == str(answer["reversals"])
-        and text(page, "summary") == answer["summary"]
+        number(shown["epsilon-t"]) == float(f"{epsilon_t:.4g}")
+        and shown["switches"] == str(answer["switches"])
+        and shown["reversals"] == str(answer["reversals"])
+        and shown["summary"] == answer["summary"]
     )
 
 
 def strip_of(page: Page) -> dict[str, object]:
-    return {
-        "epsilon_t": number(text(page, "epsilon-t")),
-        "switches": text(page, "switches"),
-        "reversals": text(page, "reversals"),
-        "energy lost": text(page, "energy-lost"),
-        "contact duration": number(text(page, "contact-duration")),
-        "psi": number(text(page, "psi")),
-        "summary": text(page, "summary"),
-    }
+    words = ("switches", "reversals", "energy-lost", "summary")
+    numbers = ("epsilon-t", "contact-duration", "psi")
+    shown = texts(page, *words, *numbers)
+    return shown | {name: number(shown[name]) for name in numbers}
 
 
 def strip_for(answer: dict) -> dict[str, object]:
     psi = answer["parameters"]["psi"]
     return {
-        "epsilon_t": four_digits(answer["epsilon_t"]),
+        "epsilon-t": four_digits(answer["epsilon_t"]),
         "switches": str(answer["switches"]),
         "reversals": str(answer["reversals"]),
-        "energy lost": percentage(answer["energy"]),
-        "contact duration": four_digits(answer["contact_duration"]),
+        "energy-lost": percentage(answer["energy"]),
+        "contact-duration": four_digits(answer["contact_duration"]),
         "psi": float("inf") if psi is None else four_digits(psi),
         "summary": answer["summary"],
     }

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from playwright.sync_api import BrowserContext, Page
+from playwright.sync_api import BrowserContext, Error, Page
 
 import waiting
 
@@ -58,13 +58,15 @@ COUNT_PENDING = """(() => {
   const frame = () => new Promise((resolve) => {
     direct.requestAnimationFrame.call(window, () => direct.setTimeout.call(window, resolve));
   });
-  // What a frame leaves behind, a message or a change of size, shows in the next.
-  window.isResting = async () => {
-    for (let i = 0; i < 3; i += 1) {
-      if (!isResting()) return false;
+  // What a frame leaves behind, a message or a change of size, shows in the next. A page at work is
+  // looked at for some seconds, in one question to the browser.
+  window.comesToRest = async () => {
+    let still = 0;
+    for (let i = 0; i < 200 && still < 4; i += 1) {
+      still = document.readyState === "complete" && isResting() ? still + 1 : 0;
       await frame();
     }
-    return isResting();
+    return still === 4;
   };
 })();"""
 
@@ -96,7 +98,13 @@ def rest(page: Page) -> None:
     """Wait until a page has no request, timer or frame before it: what it does, it has done."""
 
     def rests() -> None:
-        is_resting = page.evaluate("() => document.readyState === 'complete' && isResting()")
+        try:
+            is_resting = page.evaluate("() => comesToRest()")
+        except Error as error:
+            if "Execution context was destroyed" not in error.message:
+                raise
+            # another document has come
+            is_resting = False
         assert is_resting, f"{page.url} does not come to rest"
 
     eventually(rests, page)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from explorer import Witness, ask, collision_of, settle, text, trace_of
+from explorer import Witness, ask, collision_of, settle, text, trace_of, visit
 from playwright.sync_api import Page, expect
 from rest import eventually, rest
 
@@ -15,12 +15,12 @@ pytestmark = pytest.mark.browser
 STEPS = "/?scene=accuracy&method=timestep&steps=100&kappa=20"
 
 
-def test_points_of_the_tradeoff_are_those_measured(page: Page, server: str):
-    page.goto("/?scene=accuracy&region=solids&statistic=median")
+def test_points_of_the_tradeoff_are_those_measured(used_tab: Page, server: str):
+    visit(used_tab, "/?scene=accuracy&region=solids&statistic=median")
     stored = ask(server, "tradeoff", scene="solids")["rows"]
 
     def points_agree() -> None:
-        curves = trace_of(page, "tradeoff")[:-1]
+        curves = trace_of(used_tab, "tradeoff")[:-1]
         drawn = {
             (round(x, 9), round(y, 9)) for c in curves for x, y in zip(c["x"], c["y"], strict=True)
         }
@@ -30,30 +30,30 @@ def test_points_of_the_tradeoff_are_those_measured(page: Page, server: str):
             x, y = np.log10([row["microseconds_per_collision"], row["error_median"]])
             assert (round(float(x), 9), round(float(y), 9)) in drawn
 
-    eventually(points_agree, page)
+    eventually(points_agree, used_tab)
 
 
-def test_a_click_on_a_point_chooses_its_method(page: Page, server: str):
-    page.goto("/?scene=accuracy")
-    plot = page.get_by_test_id("tradeoff")
+def test_a_click_on_a_point_chooses_its_method(used_tab: Page, server: str):
+    visit(used_tab, "/?scene=accuracy")
+    plot = used_tab.get_by_test_id("tradeoff")
     expect(plot.locator("path.point").first).to_be_attached()
     names = plot.evaluate("plot => plot.data.map((trace) => trace.name)")
     steps = plot.locator(".scatterlayer .trace").nth(names.index("time steps, Verlet"))
     box = steps.locator("path.point").first.bounding_box()
-    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=3)
-    rest(page)
-    page.mouse.down()
-    page.mouse.up()
-    expect(page.get_by_test_id("method")).to_have_value("timestep")
-    settle(page, server)
+    used_tab.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=3)
+    rest(used_tab)
+    used_tab.mouse.down()
+    used_tab.mouse.up()
+    expect(used_tab.get_by_test_id("method")).to_have_value("timestep")
+    settle(used_tab, server)
 
 
-def test_the_map_of_the_error_is_that_of_the_api(page: Page, server: str):
-    page.goto(STEPS)
-    settle(page, server)
+def test_the_map_of_the_error_is_that_of_the_api(used_tab: Page, server: str):
+    visit(used_tab, STEPS)
+    settle(used_tab, server)
 
     def cells_agree() -> None:
-        cells = page.get_by_test_id("error-map").evaluate(
+        cells = used_tab.get_by_test_id("error-map").evaluate(
             "plot => plot.data?.[0].z.map((row) => [...row]) ?? []"
         )
         assert cells
@@ -70,54 +70,56 @@ def test_the_map_of_the_error_is_that_of_the_api(page: Page, server: str):
         wanted = np.log10(np.maximum(np.abs(answer["error"]), 1e-8))
         np.testing.assert_allclose(np.array(cells), wanted, atol=1e-9)
 
-    eventually(cells_agree, page)
+    eventually(cells_agree, used_tab)
 
 
 @pytest.mark.parametrize("damping", ["", "&damping=0.3"])
-def test_steps_lie_over_the_exact_force(page: Page, server: str, damping: str):
-    page.goto(STEPS + damping)
-    settle(page, server)
-    answer = ask(server, "trace", **collision_of(page), method="timestep", steps=100)
+def test_steps_lie_over_the_exact_force(used_tab: Page, server: str, damping: str):
+    visit(used_tab, STEPS + damping)
+    settle(used_tab, server)
+    answer = ask(server, "trace", **collision_of(used_tab), method="timestep", steps=100)
 
     def curves_agree() -> None:
-        curves = [curve["y"] for curve in trace_of(page, "overlay")]
+        curves = [curve["y"] for curve in trace_of(used_tab, "overlay")]
         assert answer["method_tangential_force_over_mu"] in curves
 
-    eventually(curves_agree, page)
-    page.get_by_test_id("integrator").select_option("forward_euler")
-    expect(page.get_by_test_id("overlay-steps")).to_have_text("In 100 steps of")
-    eventually(lambda: expect(page.get_by_test_id("provenance")).to_contain_text("timestep"), page)
-    assert "integrator=forward_euler" in page.url
+    eventually(curves_agree, used_tab)
+    used_tab.get_by_test_id("integrator").select_option("forward_euler")
+    expect(used_tab.get_by_test_id("overlay-steps")).to_have_text("In 100 steps of")
+    eventually(
+        lambda: expect(used_tab.get_by_test_id("provenance")).to_contain_text("timestep"), used_tab
+    )
+    assert "integrator=forward_euler" in used_tab.url
 
 
 @pytest.mark.parametrize(("region", "damping"), [("solids", ""), ("damped", "&damping=0.3")])
 def test_the_calculator_tells_what_the_api_tells(
-    page: Page, server: str, region: str, damping: str
+    used_tab: Page, server: str, region: str, damping: str
 ):
-    page.goto(f"/?scene=accuracy&wanted_error=1e-2&region={region}{damping}")
-    settle(page, server)
-    here = ask(server, "steps", error=1e-2, **collision_of(page))["needed"]["velocity_verlet"]
+    visit(used_tab, f"/?scene=accuracy&wanted_error=1e-2&region={region}{damping}")
+    settle(used_tab, server)
+    here = ask(server, "steps", error=1e-2, **collision_of(used_tab))["needed"]["velocity_verlet"]
     there = ask(server, "steps", error=1e-2, region=region)["needed"]["velocity_verlet"]
     wanted = [here["p95"], here["worst"], there["p95"], there["worst"]]
 
     def numbers_agree() -> None:
-        row = page.get_by_test_id("steps").locator("tbody tr").first
+        row = used_tab.get_by_test_id("steps").locator("tbody tr").first
         shown = [cell.replace("\u202f", "") for cell in row.locator("td").all_inner_texts()]
         assert shown == [str(steps) for steps in wanted]
 
-    eventually(numbers_agree, page)
+    eventually(numbers_agree, used_tab)
 
 
-def test_the_slider_from_fast_to_exact_says_what_each_place_costs(page: Page, server: str):
-    page.goto("/?kappa=20")
-    settle(page, server)
-    page.get_by_test_id("method").select_option("timestep")
-    slider = page.get_by_test_id("accuracy-slider")
+def test_the_slider_from_fast_to_exact_says_what_each_place_costs(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=20")
+    settle(used_tab, server)
+    used_tab.get_by_test_id("method").select_option("timestep")
+    slider = used_tab.get_by_test_id("accuracy-slider")
     bounds = []
     for notch in ("0", "9", "17"):
         slider.fill(notch)
-        settle(page, server)
-        said = text(page, "provenance")
+        settle(used_tab, server)
+        said = text(used_tab, "provenance")
         assert said.startswith("timestep ±")
         assert said.endswith("s")
         bounds.append(said)
@@ -125,12 +127,12 @@ def test_the_slider_from_fast_to_exact_says_what_each_place_costs(page: Page, se
 
 
 def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(
-    page: Page, server: str
+    used_tab: Page, server: str
 ):
-    page.goto("/?kappa=5000&method=table")
-    settle(page, server)
-    expect(page.get_by_test_id("accuracy-refusal")).to_contain_text("κ from 0.01 to 1000")
-    assert text(page, "provenance").startswith("exact")
+    visit(used_tab, "/?kappa=5000&method=table")
+    settle(used_tab, server)
+    expect(used_tab.get_by_test_id("accuracy-refusal")).to_contain_text("κ from 0.01 to 1000")
+    assert text(used_tab, "provenance").startswith("exact")
 
 
 def test_measuring_anew_shows_its_progress_and_can_be_stopped(page: Page, tmp_path: Path):
@@ -147,26 +149,28 @@ def test_measuring_anew_shows_its_progress_and_can_be_stopped(page: Page, tmp_pa
         expect(progress).to_be_hidden()
 
 
-def test_measuring_anew_is_not_offered_where_it_is_off(page: Page):
-    page.goto("/?scene=accuracy")
-    expect(page.get_by_test_id("tradeoff-source")).to_contain_text("Measured")
-    expect(page.get_by_test_id("remeasure")).to_be_hidden()
+def test_measuring_anew_is_not_offered_where_it_is_off(used_tab: Page):
+    visit(used_tab, "/?scene=accuracy")
+    expect(used_tab.get_by_test_id("tradeoff-source")).to_contain_text("Measured")
+    expect(used_tab.get_by_test_id("remeasure")).to_be_hidden()
 
 
-def test_steps_are_asked_for_once_and_only_where_they_are_shown(page: Page, server: str):
-    witness = Witness(page, server)
+def test_steps_are_asked_for_once_and_only_where_they_are_shown(used_tab: Page, server: str):
+    witness = Witness(used_tab, server)
 
     def asked() -> int:
         stepped = [q for call, q in witness.calls if call == "trace" and "steps" in q]
         return len(stepped)
 
-    page.goto(STEPS)
-    settle(page, server)
-    eventually(lambda: expect(page.get_by_test_id("overlay-name")).to_contain_text("off by"), page)
-    rest(page)
+    visit(used_tab, STEPS)
+    settle(used_tab, server)
+    eventually(
+        lambda: expect(used_tab.get_by_test_id("overlay-name")).to_contain_text("off by"), used_tab
+    )
+    rest(used_tab)
     assert asked() == 1
-    page.get_by_role("link", name="Explorer").click()
+    used_tab.get_by_role("link", name="Explorer").click()
     for kappa in ("30", "40", "50"):
-        page.get_by_test_id("kappa-field").fill(kappa)
-        settle(page, server)
+        used_tab.get_by_test_id("kappa-field").fill(kappa)
+        settle(used_tab, server)
     assert asked() == 1

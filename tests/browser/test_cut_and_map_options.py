@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from explorer import ask, collision_of, settle
+from explorer import ask, collision_of, settle, visit
 from playwright.sync_api import Page, expect
 from rest import rest
 
@@ -20,52 +20,52 @@ def cut_of(page: Page) -> list[float]:
     return curve
 
 
-def test_the_cut_is_that_of_the_api(page: Page, server: str):
-    page.goto("/?kappa=20&mu_over_alpha=2&gt_over_gn=1&scale=log")
-    settle(page, server)
+def test_the_cut_is_that_of_the_api(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=20&mu_over_alpha=2&gt_over_gn=1&scale=log")
+    settle(used_tab, server)
     asked = {"along": "gt_over_gn", "kappa": 20, "mu_over_alpha": 2, "count": FULL_CUT}
     answer = ask(server, "cut", **asked, minimum=0.005, maximum=5, scale="log")
-    assert np.array_equal(cut_of(page), answer["epsilon_t"])
+    assert np.array_equal(cut_of(used_tab), answer["epsilon_t"])
 
 
-def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(page: Page, server: str):
-    page.goto("/")
-    settle(page, server)
-    before = collision_of(page)
-    expect(page.get_by_test_id("cut-mark")).to_have_attribute("data-placed", "")
-    mark = page.get_by_test_id("cut-mark")
+def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(used_tab: Page, server: str):
+    visit(used_tab, "/")
+    settle(used_tab, server)
+    before = collision_of(used_tab)
+    expect(used_tab.get_by_test_id("cut-mark")).to_have_attribute("data-placed", "")
+    mark = used_tab.get_by_test_id("cut-mark")
     box = mark.bounding_box()
     mark.click(position={"x": 0.5 * box["width"], "y": 0.3 * box["height"]})
-    settle(page, server)
+    settle(used_tab, server)
     # the middle of an axis from 0.01 to 4, to a pixel
-    after = collision_of(page)
+    after = collision_of(used_tab)
     assert after.pop("gt_over_gn") == pytest.approx(2.005, abs=0.02)
     assert after == {key: before[key] for key in after}
 
 
 def test_over_psi_the_map_and_the_cut_are_asked_for_once_whatever_the_friction(
-    page: Page, server: str
+    used_tab: Page, server: str
 ):
-    page.goto("/?map_y=psi")
-    settle(page, server)
-    before = cut_of(page)
+    visit(used_tab, "/?map_y=psi")
+    settle(used_tab, server)
+    before = cut_of(used_tab)
     asked = []
-    page.on("request", lambda r: asked.append(r.url) if "/map?" in r.url else None)
-    page.get_by_test_id("mu-over-alpha-field").fill("3")
-    settle(page, server)
-    assert cut_of(page) == before
+    used_tab.on("request", lambda r: asked.append(r.url) if "/map?" in r.url else None)
+    used_tab.get_by_test_id("mu-over-alpha-field").fill("3")
+    settle(used_tab, server)
+    assert cut_of(used_tab) == before
     assert asked == []
 
 
-def test_the_surface_exists_only_while_it_is_asked_for(page: Page, server: str):
-    page.goto("/")
-    settle(page, server)
-    canvases = page.locator("canvas")
+def test_the_surface_exists_only_while_it_is_asked_for(used_tab: Page, server: str):
+    visit(used_tab, "/")
+    settle(used_tab, server)
+    canvases = used_tab.locator("canvas")
     expect(canvases).to_have_count(0)
-    toggle = page.get_by_test_id("map-shape").locator("input")
+    toggle = used_tab.get_by_test_id("map-shape").locator("input")
     toggle.check()
-    expect(page.get_by_test_id("surface").locator("canvas").first).to_be_attached()
-    assert "shape=surface" in page.url
+    expect(used_tab.get_by_test_id("surface").locator("canvas").first).to_be_attached()
+    assert "shape=surface" in used_tab.url
     toggle.uncheck()
     expect(canvases).to_have_count(0)
-    assert "shape=flat" in page.url
+    assert "shape=flat" in used_tab.url

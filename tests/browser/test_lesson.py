@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from explorer import Witness, agrees, collision_of, settle
+from explorer import Witness, agrees, collision_of, settle, visit
 from lesson import (
     HANDS,
     SHARES,
@@ -20,31 +20,43 @@ from rest import eventually, rest
 pytestmark = pytest.mark.browser
 
 
+# An answer of each kind: an option, a goal of each slider. The goals themselves are judged by
+# tests/frontend/state/lesson.test.js.
+SOME = ("spin", "stop", "switching", "gear", "damping", "timestep")
+
+
 @pytest.mark.parametrize(
-    ("language", "hand"),
+    ("language", "hands", "answered"),
     [
-        ("en", "mouse"),
-        ("de", "keyboard"),
-        pytest.param("en", "keyboard", marks=pytest.mark.verify),
-        pytest.param("de", "mouse", marks=pytest.mark.verify),
+        ("de", ("mouse", "keyboard"), SOME),
+        pytest.param("de", ("mouse", "keyboard"), tuple(STEPS), marks=pytest.mark.verify),
+        pytest.param("en", ("keyboard", "mouse"), tuple(STEPS), marks=pytest.mark.verify),
     ],
 )
-def test_the_lesson_can_be_walked(page: Page, server: str, language: str, hand: str):
+def test_the_lesson_can_be_walked(
+    page: Page, server: str, language: str, hands: tuple[str, str], answered: tuple[str, ...]
+):
+    """One hand gives the wrong answers, the other the right ones; the pages are turned in turn."""
     witness = Witness(page, server)
     texts = Texts(language)
-    answer, turn = HANDS[hand]
+    (err, turn), (answer, turn_next) = (HANDS[hand] for hand in hands)
     page.goto(f"/?scene=lesson&lang={language}")
+    done = 0
     for i, (step, (wrong, reason, right)) in enumerate(STEPS.items()):
         says(page, "lesson-title", texts.step(step, "title"))
         says(page, "lesson-asked", texts.step(step, "question"))
+        if step not in answered:
+            turn(page)
+            continue
         settle(page, server)
         says(page, "lesson-feedback", "" if isinstance(wrong, str) else texts.say("try"))
-        answer(page, wrong)
+        err(page, wrong)
         head = texts.say("wrong" if isinstance(wrong, str) else "notYet")
         says(page, "lesson-feedback", f"{head} {texts.step(step, reason)}")
         assert read(page, "lesson-progress") == texts.say(
-            "progress", step=i + 1, of=len(STEPS), count=i
+            "progress", step=i + 1, of=len(STEPS), count=done
         )
+        done += 1
         answer(page, right)
         if isinstance(right, str):
             said = f"{texts.say('right')} {texts.step(step, f'reasons.{right}')}"
@@ -54,10 +66,10 @@ def test_the_lesson_can_be_walked(page: Page, server: str, language: str, hand: 
         says(
             page,
             "lesson-progress",
-            texts.say("progress", step=i + 1, of=len(STEPS), count=i + 1),
+            texts.say("progress", step=i + 1, of=len(STEPS), count=done),
         )
         assert agrees(page, server)
-        turn(page)
+        (turn, turn_next)[i % 2](page)
         if i + 1 < len(STEPS):
             focused = page.evaluate("() => document.activeElement.dataset.testid")
             assert focused == "lesson-title", "a reader goes on at the heading"
@@ -136,79 +148,70 @@ def test_every_step_has_an_address_and_the_browser_turns_the_pages(page: Page, s
     witness.assert_silence()
 
 
-def test_the_lesson_is_entered_and_left_by_the_scenes(page: Page, server: str):
-    page.goto("/?kappa=500")
-    settle(page, server)
-    scenes = page.get_by_test_id("scenes")
+def test_the_lesson_is_entered_and_left_by_the_scenes(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=500")
+    settle(used_tab, server)
+    scenes = used_tab.get_by_test_id("scenes")
     scenes.get_by_text("Lesson").click()
-    says(page, "lesson-title", Texts("en").step("spin", "title"))
-    settle(page, server)
-    assert collision_of(page)["kappa"] == 4.5
+    says(used_tab, "lesson-title", Texts("en").step("spin", "title"))
+    settle(used_tab, server)
+    assert collision_of(used_tab)["kappa"] == 4.5
     scenes.get_by_text("Explorer").click()
-    expect(page.get_by_test_id("lesson")).to_be_hidden()
-    page.go_back()
-    expect(page.get_by_test_id("lesson")).to_be_visible()
-    page.go_back()
-    expect(page.get_by_test_id("lesson")).to_be_hidden()
-    settle(page, server)
-    assert collision_of(page)["kappa"] == 500
+    expect(used_tab.get_by_test_id("lesson")).to_be_hidden()
+    used_tab.go_back()
+    expect(used_tab.get_by_test_id("lesson")).to_be_visible()
+    used_tab.go_back()
+    expect(used_tab.get_by_test_id("lesson")).to_be_hidden()
+    settle(used_tab, server)
+    assert collision_of(used_tab)["kappa"] == 500
 
 
-def test_the_language_is_the_address_s_else_the_browser_s_else_english(
-    browser: Browser, server: str
-):
-    cases = [
-        ("de-AT", "", "de"),
-        ("fr-FR", "", "en"),
-        ("de-DE", "&lang=en", "en"),
-        ("en-US", "&lang=de", "de"),
-    ]
-    for locale, query, language in cases:
-        context = browser.new_context(base_url=server, locale=locale)
+def test_a_reader_of_german_is_taught_in_german(browser: Browser, server: str):
+    """Which language is chosen of several: tests/frontend/state/language.test.js."""
+    with browser.new_context(base_url=server, locale="de-AT") as context:
         page = context.new_page()
-        page.goto(f"/?scene=lesson{query}")
-        says(page, "lesson-title", Texts(language).step("spin", "title"))
-        expect(page.get_by_test_id("lesson")).to_have_attribute("lang", language)
-        context.close()
+        page.goto("/?scene=lesson")
+        says(page, "lesson-title", Texts("de").step("spin", "title"))
+        expect(page.get_by_test_id("lesson")).to_have_attribute("lang", "de")
 
 
 @pytest.mark.parametrize("hand", HANDS)
-def test_the_language_can_be_switched_at_any_time(page: Page, server: str, hand: str):
-    page.goto("/?scene=lesson&step=4&lang=en")
-    says(page, "lesson-title", Texts("en").step("switching", "title"))
-    page.locator("[data-option='odd']").click()
+def test_the_language_can_be_switched_at_any_time(used_tab: Page, server: str, hand: str):
+    visit(used_tab, "/?scene=lesson&step=4&lang=en")
+    says(used_tab, "lesson-title", Texts("en").step("switching", "title"))
+    used_tab.locator("[data-option='odd']").click()
     if hand == "mouse":
-        page.get_by_test_id("language").select_option("de")
+        used_tab.get_by_test_id("language").select_option("de")
     else:
-        tab_to(page, "[data-testid='language']")
-        page.keyboard.press("ArrowDown")
+        tab_to(used_tab, "[data-testid='language']")
+        used_tab.keyboard.press("ArrowDown")
     german = Texts("de")
-    says(page, "lesson-title", german.step("switching", "title"))
+    says(used_tab, "lesson-title", german.step("switching", "title"))
     said = f"{german.say('wrong')} {german.step('switching', 'reasons.odd')}"
-    says(page, "lesson-feedback", said)
-    expect(page.get_by_test_id("lesson")).to_have_attribute("lang", "de")
-    assert "lang=de" in page.url
-    page.go_back()
-    says(page, "lesson-title", Texts("en").step("switching", "title"))
-    settle(page, server)
+    says(used_tab, "lesson-feedback", said)
+    expect(used_tab.get_by_test_id("lesson")).to_have_attribute("lang", "de")
+    assert "lang=de" in used_tab.url
+    used_tab.go_back()
+    says(used_tab, "lesson-title", Texts("en").step("switching", "title"))
+    settle(used_tab, server)
 
 
-def test_teachers_have_their_notes(page: Page, server: str):
-    page.goto("/?scene=lesson&lang=de")
+def test_teachers_have_their_notes(used_tab: Page, server: str):
+    visit(used_tab, "/?scene=lesson&lang=de")
     texts = Texts("de")
-    says(page, "lesson-title", texts.step("spin", "title"))
-    expect(page.get_by_test_id("lesson-notes")).to_be_hidden()
-    page.get_by_test_id("lesson-notes-switch").check()
+    says(used_tab, "lesson-title", texts.step("spin", "title"))
+    expect(used_tab.get_by_test_id("lesson-notes")).to_be_hidden()
+    used_tab.get_by_test_id("lesson-notes-switch").check()
     for i, step in enumerate(STEPS):
-        says(page, "lesson-title", texts.step(step, "title"))
-        notes = read(page, "lesson-notes")
+        says(used_tab, "lesson-title", texts.step(step, "title"))
+        notes = read(used_tab, "lesson-notes")
         for key in ("aim", "answer", "misconception"):
             assert " ".join(texts.step(step, key).split()) in notes
         assert "Minuten" in notes
         if i + 1 < len(STEPS):
-            next_by_mouse(page)
-    assert "notes=shown" in page.url
-    settle(page, server)
+            next_by_mouse(used_tab)
+    assert "notes=shown" in used_tab.url
+    settle(used_tab, server)
 
 
 def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):

@@ -164,17 +164,17 @@ def test_a_lost_server_keeps_the_picture_and_the_page_recovers(tab: Page, server
     settle(tab, server)
 
 
-def test_damping_moves_everything(tab: Page, server: str):
-    visit(tab, "/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
-    settle(tab, server)
-    field = tab.get_by_test_id("damping-field")
+def test_damping_moves_everything(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
+    settle(used_tab, server)
+    field = used_tab.get_by_test_id("damping-field")
     field.fill("0.3")
     field.press("Enter")
-    settle(tab, server)
-    assert collision_of(tab)["damping"] == 0.3
+    settle(used_tab, server)
+    assert collision_of(used_tab)["damping"] == 0.3
     # model.md: ε_n at η = 0.3
-    assert text(tab, "epsilon-n") == "0.7221"
-    assert int(text(tab, "switches")) % 2 == 1
-    tab.locator("[data-preset='figure-6']").click()
-    settle(tab, server)
-    assert "damping" not in tab.url
+    assert text(used_tab, "epsilon-n") == "0.7221"
+    assert int(text(used_tab, "switches")) % 2 == 1
+    used_tab.locator("[data-preset='figure-6']").click()
+    settle(used_tab, server)
+    assert "damping" not in used_tab.url

@@ -1,14 +1,14 @@
 """What a drag moves by hand lies where Plotly draws it afterwards."""
 
 import pytest
-from explorer import settle
+from explorer import settle, visit
 from playwright.sync_api import Page
 from rest import rest
 
 pytestmark = pytest.mark.browser
 
 COUNT_DRAWINGS = """() => {
-  const direct = Plotly.react;
+  const direct = window.reactOfPlotly ??= Plotly.react;
   window.drawings = {};
   Plotly.react = (element, ...rest) => {
     drawings[element.dataset.testid] = (drawings[element.dataset.testid] ?? 0) + 1;
@@ -55,30 +55,30 @@ def marks(page: Page, name: str) -> dict[str, list]:
     ],
 )
 def test_marks_moved_while_dragging_are_those_that_plotly_draws(
-    page: Page, server: str, name: str, slider: str, shares: tuple[float, ...]
+    used_tab: Page, server: str, name: str, slider: str, shares: tuple[float, ...]
 ):
-    page.emulate_media(reduced_motion="reduce")
-    page.goto("/")
-    settle(page, server)
-    page.evaluate(COUNT_DRAWINGS)
-    box = page.get_by_test_id(f"{slider}-slider").bounding_box()
+    used_tab.emulate_media(reduced_motion="reduce")
+    visit(used_tab, "/")
+    settle(used_tab, server)
+    used_tab.evaluate(COUNT_DRAWINGS)
+    box = used_tab.get_by_test_id(f"{slider}-slider").bounding_box()
     y = box["y"] + box["height"] / 2
     moved_by_hand = 0
     for share in shares:
-        page.evaluate("window.drawings = {}")
-        page.mouse.move(box["x"] + (share - 0.05) * box["width"], y)
-        page.mouse.down()
-        rest(page)
-        page.evaluate("window.drawings = {}")
-        page.mouse.move(box["x"] + share * box["width"], y, steps=3)
-        rest(page)
-        dragged = marks(page, name)
-        is_by_hand = not page.evaluate("(name) => window.drawings[name]", name)
+        used_tab.evaluate("window.drawings = {}")
+        used_tab.mouse.move(box["x"] + (share - 0.05) * box["width"], y)
+        used_tab.mouse.down()
+        rest(used_tab)
+        used_tab.evaluate("window.drawings = {}")
+        used_tab.mouse.move(box["x"] + share * box["width"], y, steps=3)
+        rest(used_tab)
+        dragged = marks(used_tab, name)
+        is_by_hand = not used_tab.evaluate("(name) => window.drawings[name]", name)
         moved_by_hand += is_by_hand
-        page.mouse.up()
-        rest(page)
-        assert page.evaluate("(name) => window.drawings[name]", name)
-        drawn = marks(page, name)
+        used_tab.mouse.up()
+        rest(used_tab)
+        assert used_tab.evaluate("(name) => window.drawings[name]", name)
+        drawn = marks(used_tab, name)
         for kind, values in drawn.items():
             assert len(dragged[kind]) == len(values), kind
             for moved, wanted in zip(dragged[kind], values, strict=True):

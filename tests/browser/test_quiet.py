@@ -1,14 +1,21 @@
 """The page keeps to itself: no word, no stranger, no jolt; and what matters comes first."""
 
-import itertools
 import re
 import urllib.parse
-from collections.abc import Callable
+from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from explorer import PARAMETERS, Witness, ask, settle, text, trace_of
-from playwright.sync_api import BrowserContext, Page, Route, expect
-from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, eventually, layout_shift, rest
+from playwright.sync_api import Browser, Page, Route, expect
+from rest import (
+    LARGEST_LAYOUT_SHIFT,
+    WATCH_SHIFTS,
+    count_pending,
+    eventually,
+    layout_shift,
+    rest,
+)
 
 pytestmark = pytest.mark.browser
 
@@ -42,7 +49,7 @@ def test_the_page_says_nothing_calls_nobody_and_does_not_jump(page: Page, server
     page.get_by_test_id("kappa-slider").press("ArrowLeft")
     settle(page, server)
     places = page.evaluate(PLACES)
-    for name, step in itertools.product(PARAMETERS, ("20", "500", "970")):
+    for name, step in zip(PARAMETERS, ("20", "500", "970"), strict=True):
         page.get_by_test_id(f"{name}-slider").fill(step)
         settle(page, server)
         assert page.evaluate(PLACES) == places, (name, step)
@@ -99,9 +106,11 @@ def test_the_policy_stops_a_script_that_found_its_way_in(page: Page, server: str
 
 
 @pytest.fixture
-def cold_page(open_context: Callable[[], BrowserContext]) -> Page:
+def cold_page(browser: Browser, browser_context_args: dict[str, Any]) -> Iterator[Page]:
     """A page in a context of its own, whose cache is empty."""
-    return open_context().new_page()
+    with browser.new_context(**browser_context_args) as context:
+        count_pending(context)
+        yield context.new_page()
 
 
 def test_the_phenomenon_waits_for_nothing_but_its_own_answer(cold_page: Page, server: str):

@@ -16,6 +16,14 @@ ACCURACY_PANELS = ["tradeoff", "error_map", "overlay", "steps"]
 SPHERES_PANELS = ["velocities", "sphere_cut", "impact", "place"]
 
 
+def some(*names: str, of: list[str]) -> pytest.MarkDecorator:
+    """One panel of each kind; the others are looked at by `make verify`."""
+    rest_of_them = [
+        pytest.param(name, marks=pytest.mark.verify) for name in of if name not in names
+    ]
+    return pytest.mark.parametrize("panel", [*names, *rest_of_them])
+
+
 def paper(page: Page) -> str:
     return page.evaluate("() => getComputedStyle(document.documentElement).backgroundColor")
 
@@ -41,7 +49,7 @@ def test_colours_are_those_chosen_and_stand_in_the_address(tab: Page):
     assert line.evaluate("(e) => e.style.stroke") == stroke
 
 
-@pytest.mark.parametrize("panel", PANELS + ACCURACY_PANELS + SPHERES_PANELS)
+@some("result", "map", "tradeoff", "impact", of=PANELS + ACCURACY_PANELS + SPHERES_PANELS)
 def test_embedded_panel_stands_alone_and_leads_to_the_full_page(tab: Page, panel: str):
     tab.set_viewport_size({"width": 480, "height": 360})
     # of real spheres an address without a scene is loaded, see `visit`
@@ -50,11 +58,10 @@ def test_embedded_panel_stands_alone_and_leads_to_the_full_page(tab: Page, panel
     assert_stands_alone(tab, panel)
 
 
-@pytest.mark.parametrize("panel", ["map", "sphere_cut"])
-def test_embedded_panel_loads_alone(page: Page, panel: str):
+def test_embedded_panel_loads_alone(page: Page):
     page.set_viewport_size({"width": 480, "height": 360})
-    page.goto(f"/?embed={panel}&kappa=20")
-    assert_stands_alone(page, panel)
+    page.goto("/?embed=map&kappa=20")
+    assert_stands_alone(page, "map")
 
 
 def assert_stands_alone(page: Page, panel: str) -> None:
@@ -73,13 +80,13 @@ def assert_stands_alone(page: Page, panel: str) -> None:
     assert ("kappa=20" in address) is (panel not in SPHERES_PANELS)
 
 
-@pytest.mark.parametrize("panel", PANELS[1:])
+@some("map", "contact", of=PANELS[1:])
 def test_every_picture_gives_its_data_and_itself(
-    tab: Page, server: str, panel: str, tmp_path: Path
+    used_tab: Page, server: str, panel: str, tmp_path: Path
 ):
-    visit(tab, "/?kappa=20")
-    settle(tab, server)
-    rest(tab)
+    visit(used_tab, "/?kappa=20")
+    settle(used_tab, server)
+    rest(used_tab)
     begins = {
         "CSV": rb"(time|kappa|gt_over_gn),",
         "JSON": rb"\{",
@@ -87,9 +94,9 @@ def test_every_picture_gives_its_data_and_itself(
         "SVG": rb"<svg",
     }
     for name, beginning in begins.items():
-        with tab.expect_download() as download:
-            choose(tab, panel, name)
-        tab.keyboard.press("Escape")
+        with used_tab.expect_download() as download:
+            choose(used_tab, panel, name)
+        used_tab.keyboard.press("Escape")
         saved = tmp_path / download.value.suggested_filename
         download.value.save_as(saved)
         assert saved.name.startswith(f"restitution-{panel}")
@@ -98,7 +105,7 @@ def test_every_picture_gives_its_data_and_itself(
         assert re.match(beginning, saved.read_bytes())
 
 
-@pytest.mark.parametrize("panel", PANELS)
+@some("result", "map", of=PANELS)
 def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
     rest(tab)
     button = tab.get_by_test_id(f"menu-{panel}")
@@ -113,11 +120,11 @@ def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
         assert tab.evaluate("() => document.activeElement.dataset.testid") == f"menu-{panel}"
 
 
-def test_request_of_the_result_answers_what_the_strip_shows(tab: Page, server: str):
-    visit(tab, "/?kappa=20")
-    settle(tab, server)
-    choose(tab, "result", "API request")
-    line = tab.locator("pre").first.inner_text()
+def test_request_of_the_result_answers_what_the_strip_shows(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=20")
+    settle(used_tab, server)
+    choose(used_tab, "result", "API request")
+    line = used_tab.locator("pre").first.inner_text()
     query = "kappa=20&mu_over_alpha=1.4&gt_over_gn=1.358"
     assert line == f'curl "{server}/api/v1/collision?{query}"'
 
@@ -138,14 +145,12 @@ def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(tab: Page, server
     assert text(tab, "switches") == str(ask(server, "collision", **collision_of(tab))["switches"])
 
 
-@pytest.mark.parametrize("size", [(320, 640), (390, 844), (1440, 900)])
-def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
-    page: Page, server: str, size: tuple[int, int]
-):
-    page.set_viewport_size({"width": size[0], "height": size[1]})
+def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(page: Page, server: str):
+    """On the narrowest screen; on others see test_quiet.py."""
+    page.set_viewport_size({"width": 320, "height": 640})
     page.add_init_script(WATCH_SHIFTS)
     page.goto("/?theme=dark")
     settle(page, server)
     rest(page)
     assert layout_shift(page) < LARGEST_LAYOUT_SHIFT
-    assert page.evaluate("() => document.documentElement.scrollWidth") <= size[0]
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= 320

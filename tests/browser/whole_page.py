@@ -9,7 +9,8 @@ SCENES = {
     "real spheres": "scene=spheres",
     "lesson": "scene=lesson&step=7&lang=de&notes=shown",
     "speed and accuracy": "scene=accuracy",
-    "paper": "scene=paper",
+    "paper": "scene=paper&paper_verdict=fails",
+    "whole paper": "scene=paper",
     "hand-out": "scene=lesson&lang=de&handout=shown&notes=shown",
 }
 
