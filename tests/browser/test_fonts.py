@@ -169,11 +169,7 @@ def held(page: Page) -> list[Route]:
     return routes
 
 
-# To be mended: on a phone what the late font moves is 0.06 in some runs.
-MOVES = pytest.mark.xfail(reason="a late font moves the page by 0.06 at 390 px")
-
-
-@pytest.mark.parametrize("width", [pytest.param(390, marks=MOVES), 1440])
+@pytest.mark.parametrize("width", [390, 1440])
 def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
     browser: Browser, page: Page, server: str, width: int
 ):
