@@ -80,7 +80,7 @@ new PerformanceObserver((list) => {
 }).observe({type: "layout-shift", buffered: true});
 """
 
-LARGEST_LAYOUT_SHIFT = 0.05
+LARGEST_LAYOUT_SHIFT = 0.015
 
 
 def layout_shift(page: Page) -> float:
