@@ -113,6 +113,7 @@ def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, serv
     witness = Witness(used_tab, server)
     visit(used_tab, "/")
     settle(used_tab, server)
+    rest(used_tab)
     used_tab.evaluate(RECORD)
     for _ in drag(used_tab, used_tab.get_by_test_id(f"{name}-slider")):
         follows(used_tab, "crosshair", "force-trace")
