@@ -8,7 +8,8 @@
  * @returns {Promise<string>}
  */
 export async function withFonts(svg, loadFont) {
-  const faces = ownFaces().filter((face) => isUsed(face, svg));
+  const letters = [...new Set(svg)];
+  const faces = ownFaces().filter((face) => isUsed(face, svg, letters));
   const rules = await Promise.all(faces.map((face) => embedded(face, loadFont)));
   return svg.replace(/<svg[^>]*>/, (opening) => `${opening}<style>${rules.join("")}</style>`);
 }
@@ -28,13 +29,14 @@ function addressIn(cssText) {
 /**
  * @param {CSSFontFaceRule} face
  * @param {string} svg
+ * @param {string[]} letters each that is in it, once
  */
-function isUsed({ style }, svg) {
+function isUsed({ style }, svg, letters) {
   if (style.getPropertyValue("font-style") === "italic" && !svg.includes("italic")) {
     return false;
   }
   const range = style.getPropertyValue("unicode-range");
-  return !range || [...new Set(svg)].some((letter) => isIn(range, letter));
+  return !range || letters.some((letter) => isIn(range, letter));
 }
 
 /**
