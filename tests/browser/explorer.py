@@ -161,9 +161,11 @@ def percentage(energy: dict[str, float]) -> str:
 def visit(page: Page, address: str) -> None:
     """Go to an address as the page's own links do, which hold the collision: nothing is loaded.
 
-    Not to real spheres: their collision is worked out, and only their own links know it.
+    Real spheres are: their collision is worked out, and only their own links know it.
     """
-    assert "scene=spheres" not in address
+    if "scene=spheres" in address:
+        page.goto(address)
+        return
     path, _, query = address.partition("?")
     whole = USUAL | dict(urllib.parse.parse_qsl(query))
     page.evaluate(
@@ -189,6 +191,18 @@ def trace_of(page: Page, name: str) -> list[dict]:
     return page.get_by_test_id(name).evaluate(
         "plot => plot.data.map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
     )
+
+
+# Counts what Plotly itself draws, by the name of the picture.
+COUNT_DRAWINGS = """() => {
+  const direct = window.reactOfPlotly ??= Plotly.react;
+  window.drawings = {};
+  Plotly.react = (element, ...rest) => {
+    const name = element.dataset.testid;
+    drawings[name] = (drawings[name] ?? 0) + 1;
+    return direct(element, ...rest);
+  };
+}"""
 
 
 class Witness:

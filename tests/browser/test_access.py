@@ -1,6 +1,5 @@
 """Everybody can use the page: rules that axe-core knows, and a keyboard alone."""
 
-import functools
 import itertools
 from pathlib import Path
 
@@ -8,6 +7,8 @@ import pytest
 from explorer import PARAMETERS, agrees, collision_of, settle, visit
 from playwright.sync_api import Page, expect
 from rest import rest
+
+from cases import every_day
 
 pytestmark = pytest.mark.browser
 
@@ -65,24 +66,20 @@ EVERY_DAY = [
 
 @pytest.mark.parametrize(
     ("width", "scheme", "state"),
-    [
-        each if each in EVERY_DAY else pytest.param(*each, marks=pytest.mark.verify)
-        for each in itertools.product((390, 820, 1440), ("light", "dark"), STATES)
-    ],
+    every_day(EVERY_DAY, of=itertools.product((390, 820, 1440), ("light", "dark"), STATES)),
 )
 def test_axe_finds_nothing_to_object_to(
-    tab: Page, server: str, width: int, scheme: str, state: str
+    used_tab: Page, server: str, width: int, scheme: str, state: str
 ):
-    tab.set_viewport_size({"width": width, "height": 900})
-    tab.emulate_media(color_scheme=scheme)
-    go = tab.goto if state == "real spheres" else functools.partial(visit, tab)
-    go(STATES[state])
-    settle(tab, server)
-    rest(tab)
-    assert objections(tab) == []
+    used_tab.set_viewport_size({"width": width, "height": 900})
+    used_tab.emulate_media(color_scheme=scheme)
+    visit(used_tab, STATES[state])
+    settle(used_tab, server)
+    rest(used_tab)
+    assert objections(used_tab) == []
 
 
-@pytest.mark.parametrize("width", [390, pytest.param(1440, marks=pytest.mark.verify)])
+@pytest.mark.parametrize("width", every_day([390], of=[390, 1440]))
 def test_axe_finds_nothing_to_object_to_in_what_opens(tab: Page, server: str, width: int):
     """Menus and dialogs are not there, or not seen, until they are asked for."""
     tab.set_viewport_size({"width": width, "height": 900})
@@ -170,7 +167,9 @@ def test_the_tab_key_comes_to_every_control_in_order_and_shows_where_it_is(
         assert label in {stop["label"] for stop in stops}
 
 
-def test_every_control_works_by_keyboard_alone(page: Page, server: str):
+# A preset is reached as another is.
+@pytest.mark.parametrize("most_presets", every_day([3], of=[3, 100]))
+def test_every_control_works_by_keyboard_alone(page: Page, server: str, most_presets: int):
     # away from where a reset has nothing to do
     page.goto("/?kappa=10&mu_over_alpha=1&gt_over_gn=1")
     settle(page, server)
@@ -184,8 +183,7 @@ def test_every_control_works_by_keyboard_alone(page: Page, server: str):
         if not kind.endswith("-reset"):
             page.keyboard.press("Tab")
         stop = page.evaluate(FOCUSED)
-        # a preset is reached as another is
-        kind = operate(page, stop) if presets < 3 or not is_preset(page) else ""
+        kind = operate(page, stop) if presets < most_presets or not is_preset(page) else ""
         presets += kind == "preset"
         settle(page, server)
         assert agrees(page, server)

@@ -6,10 +6,12 @@ How long it takes is measured by `make times`; here it is what comes, and before
 from collections.abc import Iterator
 
 import pytest
-from explorer import Witness, agrees, collision_of, settle, text, visit
+from explorer import COUNT_DRAWINGS, Witness, agrees, collision_of, settle, text, visit
 from playwright.sync_api import Locator, Page
 from rest import eventually, rest
 from test_truth import assert_traces
+
+from cases import every_day
 
 pytestmark = pytest.mark.browser
 
@@ -18,23 +20,16 @@ SLIDERS = ["kappa", "mu-over-alpha", "gt-over-gn", "damping"]
 EVERY_DAY = {"kappa", "damping", "crosshair"}
 STEPS = 4
 
-# Notes what is painted and for which input; counts what Plotly itself draws.
+# Notes what is painted and for which input.
 RECORD = """() => {
   window.painted = {};
   window.lastInput = 0;
-  window.drawings = {};
   addEventListener("restitution:painted", ({detail: {view, inputTimeStamp}}) => {
     (painted[view] ??= []).push(inputTimeStamp);
   });
   for (const kind of ["input", "pointermove"]) {
     addEventListener(kind, (event) => { lastInput = event.timeStamp; }, {capture: true});
   }
-  const direct = window.reactOfPlotly ??= Plotly.react;
-  Plotly.react = (element, ...rest) => {
-    const name = element.dataset.testid;
-    drawings[name] = (drawings[name] ?? 0) + 1;
-    return direct(element, ...rest);
-  };
 }"""
 
 # Runs before the page's own scripts. Lets requests of the API wait at a gate, and counts those
@@ -78,10 +73,6 @@ GATE = """(() => {
 })();"""
 
 
-def every_day(names: list[str]) -> list:
-    return [n if n in EVERY_DAY else pytest.param(n, marks=pytest.mark.verify) for n in names]
-
-
 LATE = "(views) => views.filter((view) => !(painted[view]?.at(-1) >= lastInput))"
 
 
@@ -108,13 +99,14 @@ def follows(page: Page, *views: str) -> None:
     eventually(is_painted, page)
 
 
-@pytest.mark.parametrize("name", every_day(SLIDERS))
+@pytest.mark.parametrize("name", every_day(EVERY_DAY, of=SLIDERS))
 def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, server: str, name: str):
     witness = Witness(used_tab, server)
     visit(used_tab, "/")
     settle(used_tab, server)
     rest(used_tab)
     used_tab.evaluate(RECORD)
+    used_tab.evaluate(COUNT_DRAWINGS)
     for _ in drag(used_tab, used_tab.get_by_test_id(f"{name}-slider")):
         follows(used_tab, "crosshair", "force-trace")
         rest(used_tab)
@@ -126,7 +118,7 @@ def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, serv
         assert used_tab.evaluate("() => drawings['force-trace']") <= STEPS // 2
 
 
-@pytest.mark.parametrize("name", every_day([*SLIDERS[:3], "crosshair"]))
+@pytest.mark.parametrize("name", every_day(EVERY_DAY, of=[*SLIDERS[:3], "crosshair"]))
 def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
     page: Page, server: str, name: str
 ):
@@ -154,14 +146,14 @@ def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
 
 
 SPHERES = [
-    pytest.param("steel", "normal-velocity-m-s", marks=pytest.mark.verify),
+    ("steel", "normal-velocity-m-s"),
     ("steel", "radius-m"),
-    pytest.param("alumina-on-glass", "tangential-velocity-m-s", marks=pytest.mark.verify),
+    ("alumina-on-glass", "tangential-velocity-m-s"),
     ("alumina-on-glass", "crosshair"),
 ]
 
 
-@pytest.mark.parametrize(("material", "name"), SPHERES)
+@pytest.mark.parametrize(("material", "name"), every_day(SPHERES[1::2], of=SPHERES))
 def test_impact_and_cut_follow_every_step_of_a_drag_of_real_spheres(
     page: Page, server: str, material: str, name: str
 ):

@@ -17,6 +17,8 @@ from playwright.sync_api import Browser, Error, Page, Route
 from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, eventually, layout_shift, rest
 from whole_page import SCENES, open_scene
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 ROOT = Path(__file__).parents[2]
@@ -129,11 +131,8 @@ MARK_WORDS = """() => {
 }"""
 
 
-@pytest.mark.parametrize(
-    "scene", [pytest.param(s, marks=pytest.mark.verify) if "whole" in s else s for s in SCENES]
-)
+@pytest.mark.parametrize("scene", every_day(SCENES.keys() - {"whole paper"}, of=SCENES))
 def test_no_letter_of_the_page_is_from_another_font(page: Page, server: str, scene: str):
-    page.emulate_media(reduced_motion="reduce")
     open_scene(page, server, SCENES[scene])
     if scene == "hand-out":
         page.emulate_media(media="print")
@@ -229,13 +228,10 @@ def alone(browser: Browser, svg: str) -> Page:
     return page
 
 
-@pytest.mark.parametrize(
-    "panel", [pytest.param(p, marks=pytest.mark.verify) if p == "tradeoff" else p for p in PICTURES]
-)
+@pytest.mark.parametrize("panel", every_day(PICTURES.keys() - {"tradeoff"}, of=PICTURES))
 def test_saved_pictures_bring_their_fonts(
     browser: Browser, page: Page, server: str, panel: str, tmp_path: Path
 ):
-    page.emulate_media(reduced_motion="reduce")
     open_scene(page, server, PICTURES[panel])
     svg = saved(page, panel, "SVG", tmp_path).decode()
     bare = re.sub(r"<style>.*?</style>", "", svg)
@@ -277,7 +273,6 @@ DIFFERENCE = """async ([one, other]) => {
 def test_saved_bitmaps_are_set_in_the_same_fonts(
     browser: Browser, page: Page, server: str, panel: str, tmp_path: Path
 ):
-    page.emulate_media(reduced_motion="reduce")
     open_scene(page, server, PICTURES[panel])
     svg = saved(page, panel, "SVG", tmp_path).decode()
     png = saved(page, panel, "PNG", tmp_path)

@@ -8,6 +8,8 @@ from playwright.sync_api import Page
 from rest import eventually, rest
 from whole_page import open_scene
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 SIZES = {320: 640, 390: 844, 820: 1180, 1280: 720, 1440: 900, 1920: 1080}
@@ -86,18 +88,14 @@ EVERY_DAY = {"wide": [320, 820, 1280], "own": [390, 1440], "narrow": [1920]}
 EVERYTHING = dict.fromkeys(FONTS, SIZES)
 
 
-@pytest.mark.parametrize(
-    # the whole list has eleven thousand elements
-    "state",
-    [pytest.param(s, marks=pytest.mark.verify) if s == "whole paper" else s for s in STATES],
-)
+# The whole list has eleven thousand elements.
+@pytest.mark.parametrize("state", every_day(STATES.keys() - {"whole paper"}, of=STATES))
 @pytest.mark.parametrize(
     "looks", [EVERY_DAY, pytest.param(EVERYTHING, marks=pytest.mark.verify)], ids=["some", "all"]
 )
 def test_boxes_keep_apart_in_every_font_and_at_every_width(
     page: Page, server: str, state: str, looks: dict[str, Iterable[int]]
 ):
-    page.emulate_media(reduced_motion="reduce")
     page.set_viewport_size({"width": 1440, "height": 900})
     open_scene(page, server, STATES[state])
     page.evaluate(WRITE, LONGEST)

@@ -19,6 +19,8 @@ from lesson import (
 from playwright.sync_api import Page, Route, expect
 from test_access import objections
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 
@@ -45,7 +47,6 @@ BAD_TRANSLATIONS: dict[str, Callable[[str], str]] = {
     "injection": lambda text: INJECTION + text,
     "all at once": lambda text: HEBREW + INJECTION + (text + " ") * 8 + "W" * 300,
 }
-EVERY_DAY = ("all at once",)
 
 
 def translate(page: Page, body: str, status: int = 200) -> None:
@@ -68,14 +69,8 @@ def assert_nothing_overflows(page: Page) -> None:
     assert beyond == []
 
 
-@pytest.mark.parametrize("width", [320, pytest.param(1440, marks=pytest.mark.verify)])
-@pytest.mark.parametrize(
-    "kind",
-    [
-        kind if kind in EVERY_DAY else pytest.param(kind, marks=pytest.mark.verify)
-        for kind in BAD_TRANSLATIONS
-    ],
-)
+@pytest.mark.parametrize("width", every_day([320], of=[320, 1440]))
+@pytest.mark.parametrize("kind", every_day(["all at once"], of=BAD_TRANSLATIONS))
 def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, width: int):
     witness = Witness(page, server)
     dialogs: list[str] = []
@@ -94,6 +89,7 @@ def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, wi
         assert_nothing_overflows(page)
         if kind == "empty":
             says(page, "lesson-title", Texts("en").step(step, "title"))
+    settle(page, server)
     page.get_by_test_id("lesson-handout").click()
     expect(page.get_by_test_id("handout")).to_be_visible()
     assert_nothing_overflows(page)
@@ -136,15 +132,12 @@ PLACES = {
     ),
     "hand-out": ("/?scene=lesson&handout=shown&notes=shown", lambda _: None),
 }
-EVERY_DAY_PLACES = [(390, "light", "wrong"), (1440, "dark", "reached"), (390, "light", "hand-out")]
+EVERY_DAY = [(390, "light", "wrong"), (1440, "dark", "reached"), (390, "light", "hand-out")]
 
 
 @pytest.mark.parametrize(
     ("width", "scheme", "place"),
-    [
-        each if each in EVERY_DAY_PLACES else pytest.param(*each, marks=pytest.mark.verify)
-        for each in itertools.product((390, 820, 1440), ("light", "dark"), PLACES)
-    ],
+    every_day(EVERY_DAY, of=itertools.product((390, 820, 1440), ("light", "dark"), PLACES)),
 )
 def test_axe_finds_nothing_to_object_to(
     used_tab: Page, server: str, width: int, scheme: str, place: str

@@ -1,5 +1,6 @@
 """The scene of the paper lists what the API answers, and each statement opens what shows it."""
 
+import itertools
 import re
 import urllib.parse
 
@@ -9,6 +10,8 @@ from explorer import Witness, ask, collision_of, settle, trace_of, visit
 from playwright.sync_api import Page, expect
 from rest import eventually, rest
 from test_access import objections
+
+from cases import every_day
 
 pytestmark = pytest.mark.browser
 
@@ -187,7 +190,7 @@ def test_figures_of_the_paper_are_shown_with_their_captions(tab: Page, server: s
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("equal steel spheres")
     choose(tab, "velocity_law", "coulomb")
     expect(tab.get_by_test_id("figure-caption")).to_be_empty()
-    tab.goto(presets["figure-1"]["link"])
+    visit(tab, presets["figure-1"]["link"])
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("Coulomb's law")
 
 
@@ -203,13 +206,7 @@ def test_the_scene_is_printed_with_its_evidence(used_tab: Page):
 
 @pytest.mark.parametrize(
     ("width", "scheme"),
-    [
-        (390, "dark"),
-        *(
-            pytest.param(*other, marks=pytest.mark.verify)
-            for other in [(390, "light"), (1440, "dark"), (1440, "light")]
-        ),
-    ],
+    every_day([(390, "dark")], of=itertools.product((390, 1440), ("light", "dark"))),
 )
 def test_axe_finds_nothing_to_object_to_in_the_list(used_tab: Page, width: int, scheme: str):
     used_tab.set_viewport_size({"width": width, "height": 900})

@@ -1,20 +1,11 @@
 """What a drag moves by hand lies where Plotly draws it afterwards."""
 
 import pytest
-from explorer import settle, visit
+from explorer import COUNT_DRAWINGS, settle, visit
 from playwright.sync_api import Page
 from rest import rest
 
 pytestmark = pytest.mark.browser
-
-COUNT_DRAWINGS = """() => {
-  const direct = window.reactOfPlotly ??= Plotly.react;
-  window.drawings = {};
-  Plotly.react = (element, ...rest) => {
-    drawings[element.dataset.testid] = (drawings[element.dataset.testid] ?? 0) + 1;
-    return direct(element, ...rest);
-  };
-}"""
 
 MARKS = """(plot) => {
   const numbers = (text) => (text ?? "").match(/-?[\\d.]+(?:e-?\\d+)?/g)?.map(Number) ?? [];
@@ -57,7 +48,6 @@ def marks(page: Page, name: str) -> dict[str, list]:
 def test_marks_moved_while_dragging_are_those_that_plotly_draws(
     used_tab: Page, server: str, name: str, slider: str, shares: tuple[float, ...]
 ):
-    used_tab.emulate_media(reduced_motion="reduce")
     visit(used_tab, "/")
     settle(used_tab, server)
     used_tab.evaluate(COUNT_DRAWINGS)

@@ -1,6 +1,5 @@
 """Colours by choice, a link to copy, one panel alone, and the menu of each picture."""
 
-import functools
 import re
 from pathlib import Path
 
@@ -9,19 +8,13 @@ from explorer import ask, collision_of, settle, text, visit
 from playwright.sync_api import Page
 from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, layout_shift, rest
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 PANELS = ["result", "force", "velocity", "contact", "map", "cut"]
 ACCURACY_PANELS = ["tradeoff", "error_map", "overlay", "steps"]
 SPHERES_PANELS = ["velocities", "sphere_cut", "impact", "place"]
-
-
-def some(*names: str, of: list[str]) -> pytest.MarkDecorator:
-    """One panel of each kind; the others are looked at by `make verify`."""
-    rest_of_them = [
-        pytest.param(name, marks=pytest.mark.verify) for name in of if name not in names
-    ]
-    return pytest.mark.parametrize("panel", [*names, *rest_of_them])
 
 
 def paper(page: Page) -> str:
@@ -49,13 +42,21 @@ def test_colours_are_those_chosen_and_stand_in_the_address(tab: Page):
     assert line.evaluate("(e) => e.style.stroke") == stroke
 
 
-@some("result", "map", "tradeoff", "impact", of=PANELS + ACCURACY_PANELS + SPHERES_PANELS)
-def test_embedded_panel_stands_alone_and_leads_to_the_full_page(tab: Page, panel: str):
-    tab.set_viewport_size({"width": 480, "height": 360})
-    # of real spheres an address without a scene is loaded, see `visit`
-    go = tab.goto if panel in SPHERES_PANELS else functools.partial(visit, tab)
-    go(f"/?embed={panel}&kappa=20")
-    assert_stands_alone(tab, panel)
+@pytest.mark.parametrize(
+    "panel",
+    every_day(
+        ["result", "map", "tradeoff", "impact"], of=PANELS + ACCURACY_PANELS + SPHERES_PANELS
+    ),
+)
+def test_embedded_panel_stands_alone_and_leads_to_the_full_page(used_tab: Page, panel: str):
+    used_tab.set_viewport_size({"width": 480, "height": 360})
+    address = f"/?embed={panel}&kappa=20"
+    # a panel of real spheres without its scene is loaded, see `visit`
+    if panel in SPHERES_PANELS:
+        used_tab.goto(address)
+    else:
+        visit(used_tab, address)
+    assert_stands_alone(used_tab, panel)
 
 
 def test_embedded_panel_loads_alone(page: Page):
@@ -80,7 +81,7 @@ def assert_stands_alone(page: Page, panel: str) -> None:
     assert ("kappa=20" in address) is (panel not in SPHERES_PANELS)
 
 
-@some("map", "contact", of=PANELS[1:])
+@pytest.mark.parametrize("panel", every_day(["map", "contact"], of=PANELS[1:]))
 def test_every_picture_gives_its_data_and_itself(
     used_tab: Page, server: str, panel: str, tmp_path: Path
 ):
@@ -105,7 +106,7 @@ def test_every_picture_gives_its_data_and_itself(
         assert re.match(beginning, saved.read_bytes())
 
 
-@some("result", "map", of=PANELS)
+@pytest.mark.parametrize("panel", every_day(["result", "map"], of=PANELS))
 def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
     rest(tab)
     button = tab.get_by_test_id(f"menu-{panel}")
@@ -145,12 +146,16 @@ def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(tab: Page, server
     assert text(tab, "switches") == str(ask(server, "collision", **collision_of(tab))["switches"])
 
 
-def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(page: Page, server: str):
-    """On the narrowest screen; on others see test_quiet.py."""
-    page.set_viewport_size({"width": 320, "height": 640})
+@pytest.mark.parametrize(
+    ("width", "height"), every_day([(320, 640)], of=[(320, 640), (390, 844), (1440, 900)])
+)
+def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
+    page: Page, server: str, width: int, height: int
+):
+    page.set_viewport_size({"width": width, "height": height})
     page.add_init_script(WATCH_SHIFTS)
     page.goto("/?theme=dark")
     settle(page, server)
     rest(page)
     assert layout_shift(page) < LARGEST_LAYOUT_SHIFT
-    assert page.evaluate("() => document.documentElement.scrollWidth") <= 320
+    assert page.evaluate("() => document.documentElement.scrollWidth") <= width
