@@ -15,8 +15,9 @@ INSTALL := $(BIN)/python -m pip --quiet --disable-pip-version-check install --co
 NPM := PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
 LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-version 3.11 \
 	--generate-hashes --no-emit-index-url --no-header
-# Tests of a file share its servers, and two files run at a time.
-SHARED_OUT := -n 2 --dist loadfile
+# Tests of a file share its servers, and two files run at a time; those with the most tests are not
+# those that take the longest.
+SHARED_OUT := -n 2 --dist loadfile --no-loadscope-reorder
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 

@@ -318,7 +318,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
      * @returns {Promise<Record<string, any>>}
      */
     async texts(language) {
-      return (await get(`/static/locales/${language}.json`)).body;
+      return (await get(new URL(`../locales/${language}.json`, import.meta.url).href)).body;
     },
 
     /** @returns {Promise<Preset[]>} */

@@ -58,10 +58,11 @@ function isIn(range, letter) {
  * @param {CSSFontFaceRule} face
  * @param {(address: string) => Promise<Blob>} loadFont
  */
-async function embedded({ cssText }, loadFont) {
+async function embedded({ cssText, parentStyleSheet }, loadFont) {
   const address = addressIn(cssText);
   try {
-    const uri = await dataUri(await loadFont(address));
+    const { href } = new URL(address, parentStyleSheet?.href ?? undefined);
+    const uri = await dataUri(await loadFont(href));
     // A picture that becomes a bitmap is drawn at once, with the fonts that are known by then.
     await new FontFace("embedded", `url("${uri}")`).load();
     return cssText.replace(address, uri);

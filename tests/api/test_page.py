@@ -1,6 +1,7 @@
 """The page's files: who may load what, how small it comes over the wire, how long it is kept."""
 
 import os
+import re
 
 import brotli
 import pytest
@@ -55,11 +56,56 @@ def test_answers_and_modules_come_compressed_to_those_who_can(client):
         assert "content-encoding" not in bare.headers
 
 
-def test_modules_are_asked_for_again_and_found_unchanged(client):
+def test_files_without_a_version_are_asked_for_again_and_found_unchanged(client):
     first = client.get("/static/main.js")
     assert first.headers["cache-control"] == "no-cache"
     again = client.get("/static/main.js", headers={"If-None-Match": first.headers["etag"]})
     assert again.status_code == 304
+
+
+def addresses(client):
+    """Return what the page loads from the folder of its files."""
+    return re.findall(r'(?:href|src)="(/static/[^"]+)"', client.get("/").text)
+
+
+def test_files_at_the_addresses_of_the_page_are_kept(client):
+    found = addresses(client)
+    assert len(found) > 100
+    for address in found:
+        answer = client.get(address)
+        assert answer.status_code == 200, address
+        assert "immutable" in answer.headers["cache-control"], address
+
+
+def test_page_announces_its_modules_and_not_those_of_the_lesson(client):
+    announced = re.findall(
+        r'rel="modulepreload" href="/static/\w{16}/([^"]+)"', client.get("/").text
+    )
+    assert announced == sorted(set(announced))
+    assert "panels/map.js" in announced
+    assert not [name for name in announced if name in {"main.js", "panels/lesson-scene.js"}]
+    assert not [name for name in announced if name.startswith("vendor/")]
+
+
+def test_an_unchanged_page_is_not_sent_again(client):
+    tag = client.get("/").headers["etag"]
+    again = client.get("/", headers={"If-None-Match": tag})
+    assert (again.status_code, again.content) == (304, b"")
+
+
+def test_a_changed_file_has_a_new_address_and_is_not_kept_at_the_old_one(tmp_path):
+    (tmp_path / "index.html").write_text('<script type="module" src="/static/main.js"></script>')
+    (tmp_path / "main.js").write_text('import "./a.js";\n')
+    (tmp_path / "a.js").write_text("// old")
+    with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:
+        [old] = addresses(client)
+        (tmp_path / "a.js").write_text("// new")
+        stale = client.get(old.replace("main", "a"))
+        assert (stale.text, stale.headers["cache-control"]) == ("// new", "no-cache")
+        [new] = addresses(client)
+        assert new != old
+        assert "immutable" in client.get(new).headers["cache-control"]
+        assert client.get(old).headers["cache-control"] == "no-cache"
 
 
 def test_a_file_that_changed_since_it_was_compressed_comes_as_it_is_now(tmp_path):

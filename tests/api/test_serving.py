@@ -34,7 +34,7 @@ def single(tmp_path_factory):
 @pytest.fixture(scope="module")
 def double(tmp_path_factory):
     with serving(tmp_path_factory.mktemp("double"), workers=2) as server:
-        until(lambda: len(server.children()) == 2)
+        until(lambda: [event["event"] for event in server.events()].count("ready") == 2)
         yield server
 
 

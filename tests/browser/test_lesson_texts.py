@@ -53,7 +53,7 @@ def translate(page: Page, body: str, status: int = 200) -> None:
     def answer(route: Route) -> None:
         route.fulfill(status=status, body=body, content_type="application/json")
 
-    page.route("**/static/locales/de.json", answer)
+    page.route("**/locales/de.json", answer)
 
 
 def assert_nothing_overflows(page: Page) -> None:

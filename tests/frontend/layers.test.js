@@ -63,16 +63,6 @@ function loadedWith(file, loaded = new Set()) {
   return loaded;
 }
 
-test("the page announces every module of the first view, so that none waits for another", () => {
-  const page = readFileSync(new URL("index.html", ROOT), "utf8");
-  const announced = [...page.matchAll(/rel="modulepreload" href="\/static\/([^"]+)"/g)];
-  const needed = [...loadedWith("main.js")].filter((file) => file !== "main.js");
-  assert.deepEqual(
-    announced.map(([, file]) => file),
-    needed.sort(),
-  );
-});
-
 test("only what the lesson needs waits until it is opened, its library among it", () => {
   const first = loadedWith("main.js");
   const later = loadedWith("panels/lesson-scene.js");

@@ -2,15 +2,19 @@
 
 import hashlib
 import os
+import re
+from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 
 import brotli
 from fastapi import FastAPI, Request, Response
+from fastapi.responses import HTMLResponse
 from starlette.datastructures import Headers
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
+from restitution.api.forms import known_tag
 from restitution.mechanics.compiled import CACHE_FOLDER
 
 PLOTLY = Path(str(files("plotly").joinpath("package_data", "plotly.min.js")))
@@ -61,10 +65,13 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
     files = _Files(directory=frontend_directory)
 
     @app.get("/", include_in_schema=False)
-    async def page(request: Request) -> Response:
-        response = await files.get_response("index.html", request.scope)
-        response.headers.update(PAGE_HEADERS)
-        return response
+    def page(request: Request) -> Response:
+        text = files.page()
+        tag = f'"{hashlib.sha256(text.encode()).hexdigest()[:32]}"'
+        headers = PAGE_HEADERS | {"Cache-Control": "no-cache", "ETag": tag}
+        if known := known_tag(tag, request.headers.get("if-none-match", "")):
+            return Response(None, 304, headers | {"ETag": known})
+        return HTMLResponse(text, headers=headers)
 
     @app.get("/assets/plotly.min.js", include_in_schema=False)
     def plotly(request: Request) -> Response:
@@ -75,8 +82,79 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
     app.mount("/static", files, "static")
 
 
+State = frozenset[tuple[str, int, int]]
+"""The page's files, each with its size and its time in nanoseconds."""
+
+KEPT = "public, max-age=31536000, immutable"
+
+IMPORT = re.compile(r'^(?:import|} from|export .* from)\b.*"(\.[^"]+)";', re.MULTILINE)
+
+
+@lru_cache(maxsize=2)
+def _version(state: State) -> str:
+    """Return a name for what the files hold: the same on every machine that has the same."""
+    digest = hashlib.sha256()
+    for name, size, _ in sorted(state):
+        digest.update(f"{Path(name).name} {size}\n".encode() + Path(name).read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@lru_cache(maxsize=2)
+def _versioned_page(directory: Path, state: State) -> str:
+    """Return index.html with addresses that change with the files, and its modules announced."""
+    modules = (path.relative_to(directory) for path in _imported(directory / "main.js"))
+    announced = "\n    ".join(
+        f'<link rel="modulepreload" href="/static/{module.as_posix()}" />'
+        for module in sorted(modules)
+    )
+    text = (directory / "index.html").read_text("utf-8").replace("<!-- modules -->", announced)
+    return text.replace('="/static/', f'="/static/{_version(state)}/')
+
+
+def _imported(module: Path) -> set[Path]:
+    """Return the modules that are loaded along with one, not those that it loads when needed."""
+    found, waiting = set[Path](), [module]
+    while waiting:
+        file = waiting.pop()
+        names = IMPORT.findall(file.read_text("utf-8"))
+        imports = {Path(os.path.normpath(file.parent / name)) for name in names}
+        waiting += imports - found
+        found |= imports
+    return found
+
+
+def _entry(file: str | os.PathLike[str], found: os.stat_result) -> tuple[str, int, int]:
+    return os.path.realpath(file), found.st_size, found.st_mtime_ns
+
+
 class _Files(StaticFiles):
-    """The page's files, asked for again each time and answered 304 while they are the same."""
+    """The page's files, at addresses that name their version and at those that do not.
+
+    With the version a file is asked for once and kept. Without, or with that of other files, it
+    is asked for each time and answered 304 while it is the same.
+    """
+
+    def __init__(self, directory: Path) -> None:
+        super().__init__(directory=directory)
+        self._directory = directory
+        self._state: State = frozenset()
+
+    def page(self) -> str:
+        """Return index.html for the files as they are now."""
+        found = [
+            Path(folder, name) for folder, _, names in os.walk(self._directory) for name in names
+        ]
+        self._state = frozenset(_entry(file, file.stat()) for file in found)
+        return _versioned_page(self._directory, self._state)
+
+    def get_path(self, scope: Scope) -> str:
+        """Return the path of a file in the folder, which knows no versions."""
+        return self._split(scope)[1]
+
+    def _split(self, scope: Scope) -> tuple[str, str]:
+        path = super().get_path(scope)
+        match = re.fullmatch(r"([0-9a-f]{16})/(.*)", path)
+        return (match[1], match[2]) if match else ("", path)
 
     def file_response(
         self,
@@ -86,6 +164,10 @@ class _Files(StaticFiles):
         status_code: int = 200,
     ) -> Response:
         """Return a file, compressed where the client takes that and it was done beforehand."""
+        version, _ = self._split(scope)
+        # a file may have changed since the page was asked for
+        unchanged = _entry(full_path, stat_result) in self._state
+        kept = unchanged and version == _version(self._state)
         target = _compressed(Path(full_path))
         compressed = "br" in Headers(scope=scope).get("accept-encoding", "") and _is_current(
             target, stat_result
@@ -93,7 +175,7 @@ class _Files(StaticFiles):
         if compressed:
             full_path, stat_result = target, target.stat()
         response = super().file_response(full_path, stat_result, scope, status_code)
-        response.headers["Cache-Control"] = "no-cache"
+        response.headers["Cache-Control"] = KEPT if kept else "no-cache"
         response.headers["Vary"] = "Accept-Encoding"
         if compressed and response.status_code == 200:
             response.headers["Content-Encoding"] = "br"
