@@ -10,7 +10,6 @@ import pytest
 from hypothesis import HealthCheck, settings
 
 from restitution.api.warm import warm, warm_rest
-from restitution.methods import table
 from servers import serving
 
 VALIDATION = Path(__file__).parent / "validation"
@@ -30,7 +29,7 @@ settings.load_profile("seeded")
 def pytest_sessionstart(session: pytest.Session) -> None:
     """Compile the kernels and build the table once, before each of several workers would."""
     several = getattr(session.config.option, "numprocesses", None)
-    if several and not hasattr(session.config, "workerinput") and not table._file().exists():
+    if several and not hasattr(session.config, "workerinput"):
         warm()
         warm_rest()
 

@@ -50,6 +50,7 @@ SET_FONT = """async ([name, percent]) => {
   const faces = own.map((rule) => {
     const share = parseFloat(rule.style.getPropertyValue("size-adjust") || "100%");
     return rule.cssText.replace(/size-adjust:[^;]+;/, "").replace("Inter with STIX", name)
+      .replace(/url\\("([^"]+)/, (_, file) => `url("${new URL(file, rule.parentStyleSheet.href)}`)
       .replace(/}$/, `size-adjust: ${share * percent / 100}%; }`);
   });
   style.textContent = faces.join("") + `:root { --sans: "${name}"; --math: "${name}"; }`

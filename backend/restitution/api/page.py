@@ -85,7 +85,7 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
 State = frozenset[tuple[str, int, int]]
 """The page's files, each with its size and its time in nanoseconds."""
 
-KEPT = "public, max-age=31536000, immutable"
+KEPT = "max-age=31536000, immutable"
 
 IMPORT = re.compile(r'^(?:import|} from|export .* from)\b.*"(\.[^"]+)";', re.MULTILINE)
 
@@ -176,6 +176,8 @@ class _Files(StaticFiles):
             full_path, stat_result = target, target.stat()
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = KEPT if kept else "no-cache"
+        # the tag says it all, and a hundred headers are some kilobytes
+        del response.headers["Last-Modified"]
         response.headers["Vary"] = "Accept-Encoding"
         if compressed and response.status_code == 200:
             response.headers["Content-Encoding"] = "br"
