@@ -64,6 +64,43 @@ def context(kept_context: BrowserContext) -> Iterator[BrowserContext]:
     kept_context.set_offline(False)
 
 
+@pytest.fixture(scope="session")
+def kept_page(kept_context: BrowserContext) -> Page:
+    return kept_context.new_page()
+
+
+@pytest.fixture
+def page(
+    context: BrowserContext,
+    kept_page: Page,
+    request: pytest.FixtureRequest,
+    monkeypatch: pytest.MonkeyPatch,
+) -> Iterator[Page]:
+    """A page of which nothing is loaded, in a tab that other tests had before.
+
+    What Chromium has compiled there serves again: the first load takes half of what it takes in a
+    new tab. Tests whose scripts, listeners or slow network would stay are marked `own_page`.
+    """
+    if request.node.get_closest_marker("own_page"):
+        yield context.new_page()
+        return
+    monkeypatch.setattr(kept_page, "add_init_script", refuse_script)
+    yield kept_page
+    leave_as_found(kept_page)
+    kept_page.goto("about:blank")
+
+
+def refuse_script(*_: str) -> None:
+    raise AssertionError("mark this test own_page: its script would stay")
+
+
+def leave_as_found(page: Page) -> None:
+    page.unroute_all()
+    page.keyboard.press("Escape")
+    page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
+    page.set_viewport_size({"width": 1280, "height": 720})
+
+
 FAILED = pytest.StashKey[bool]()
 
 
@@ -95,10 +132,7 @@ def used_tab(kept_tab: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
     # what the last test began is none of the next one's
     rest(kept_tab)
     yield kept_tab
-    kept_tab.unroute_all()
-    kept_tab.keyboard.press("Escape")
-    kept_tab.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
-    kept_tab.set_viewport_size({"width": 1280, "height": 720})
+    leave_as_found(kept_tab)
     kept_tab.evaluate("() => { document.activeElement.blur(); scrollTo(0, 0); }")
     if request.node.stash.get(FAILED, False):
         kept_tab.goto("/")

@@ -118,6 +118,7 @@ def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, serv
         assert used_tab.evaluate("() => drawings['force-trace']") <= STEPS // 2
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize("name", every_day(EVERY_DAY, of=[*SLIDERS[:3], "crosshair"]))
 def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
     page: Page, server: str, name: str
@@ -153,6 +154,7 @@ SPHERES = [
 ]
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize(("material", "name"), every_day(SPHERES[1::2], of=SPHERES))
 def test_impact_and_cut_follow_every_step_of_a_drag_of_real_spheres(
     page: Page, server: str, material: str, name: str

@@ -131,6 +131,7 @@ MARK_WORDS = """() => {
 }"""
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize("scene", every_day(SCENES.keys() - {"whole paper"}, of=SCENES))
 def test_no_letter_of_the_page_is_from_another_font(page: Page, server: str, scene: str):
     open_scene(page, server, SCENES[scene])

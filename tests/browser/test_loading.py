@@ -63,6 +63,7 @@ def drag(page: Page, name: str, to: tuple[float, float]) -> None:
     page.mouse.up()
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize("milliseconds", [pytest.param(100, marks=pytest.mark.verify), 500])
 def test_dragging_on_a_slow_network_asks_little_and_ends_at_the_right_place(
     page: Page, server: str, milliseconds: int
@@ -93,6 +94,7 @@ def views(witness: Witness) -> set[str]:
     return {call for call, _ in witness.calls}
 
 
+@pytest.mark.own_page
 def test_a_page_that_loads_slowly_becomes_right(page: Page, server: str):
     witness = Witness(page, server)
     delay(page, 500)
@@ -114,6 +116,7 @@ window.setTimeout = (task, wait, ...rest) => {
 """
 
 
+@pytest.mark.own_page
 def test_a_busy_server_is_asked_calmly_and_the_page_recovers(page: Page, server: str):
     page.add_init_script(NOTE_WAITS)
     flight = InFlight(page)

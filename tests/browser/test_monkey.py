@@ -187,6 +187,7 @@ def keep_in(context: BrowserContext, server: str) -> list[str]:
     return calls
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize(
     ("scene", "count", "seed"),
     [

@@ -36,6 +36,7 @@ WHAT_CAN_WAIT = ("map", "cut", "presets", "steps", "tradeoff", "materials", "pap
 PLACES_OF_SLIDERS = [*itertools.product(PARAMETERS, ("20", "500", "970"))]
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize("width", [390, 1440])
 @pytest.mark.parametrize(
     "moves",

@@ -146,6 +146,7 @@ def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(tab: Page, server
     assert text(tab, "switches") == str(ask(server, "collision", **collision_of(tab))["switches"])
 
 
+@pytest.mark.own_page
 @pytest.mark.parametrize(
     ("width", "height"), every_day([(320, 640)], of=[(320, 640), (390, 844), (1440, 900)])
 )
