@@ -1,4 +1,4 @@
-"""One way down the house: api → studies → methods → mechanics; panels → figures, state."""
+"""One way down the house: api → wire → studies → methods → mechanics; panels → figures, state."""
 
 import ast
 import re
@@ -12,10 +12,11 @@ FRONTEND = ROOT / "frontend"
 
 MAY_IMPORT = {
     "mechanics": {"mechanics", "errors", "interruption"},
-    "methods": {"methods", "mechanics", "errors", "interruption"},
-    "studies": {"studies", "methods", "mechanics", "errors"},
+    "methods": {"methods", "mechanics", "bounds", "errors", "interruption"},
+    "studies": {"studies", "methods", "mechanics", "bounds", "errors"},
     "export": {"export", "studies", "errors"},
-    "api": {"api", "export", "studies", "methods", "mechanics", "errors", "interruption"},
+    "wire": {"wire", "export", "studies", "methods", "mechanics", "bounds", "errors"},
+    "api": {"api", "wire", "studies", "methods", "mechanics", "bounds", "errors", "interruption"},
 }
 
 LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}
@@ -54,6 +55,20 @@ def test_mechanics_knows_nothing_but_numbers():
     for source in (BACKEND / "mechanics").rglob("*.py"):
         roots = {name.split(".")[0] for name in imports(source)} - {"restitution"}
         assert roots - sys.stdlib_module_names <= LIBRARIES_OF_MECHANICS, source
+
+
+def test_only_what_serves_knows_http():
+    for room in MAY_IMPORT.keys() - {"api"}:
+        for source in (BACKEND / room).rglob("*.py"):
+            roots = {name.split(".")[0] for name in imports(source)}
+            assert not roots & {"fastapi", "starlette", "uvicorn"}, source
+
+
+def test_only_the_border_reads_with_pydantic():
+    for room in ("mechanics", "methods", "studies", "export"):
+        for source in (BACKEND / room).rglob("*.py"):
+            roots = {name.split(".")[0] for name in imports(source)}
+            assert not roots & {"pydantic", "pydantic_core"}, source
 
 
 def test_backend_describes_no_plot():

@@ -1,5 +1,6 @@
 """The command line: the service, one impact of real spheres, tables for other codes."""
 
+import json
 import math
 import os
 import sys
@@ -10,27 +11,25 @@ from typing import Any, BinaryIO
 import click
 import uvicorn
 from click.core import ParameterSource
-from starlette.exceptions import HTTPException
 
-from restitution.api.arrays import parse_object
-from restitution.api.bodies import read_scaling
-from restitution.api.errors import RefusedParametersError, sentences
-from restitution.api.forms import as_json, formed
 from restitution.api.page import compress_page
-from restitution.api.routes.scaling import scaling_payload
-from restitution.api.routes.table import table_result
-from restitution.api.schemas import TABLE_FORMATS
 from restitution.api.settings import Settings
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
-from restitution.studies.axis import Axis
+from restitution.studies.axis import Axis, Scale
 from restitution.studies.report import tradeoff_report
 from restitution.studies.scenes import SCENES
 from restitution.studies.spheres import ScalingStudy, study_scaling
 from restitution.studies.table_export import study_table, study_table_within
 from restitution.studies.table_grid import Sign, TableGrid
 from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
+from restitution.wire.bodies import ScalingBody
+from restitution.wire.formats import Result, formed
+from restitution.wire.queries import TABLE_FORMATS
+from restitution.wire.reading import read_object
+from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
+from restitution.wire.results import scaling_result, table_result
 
 LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
@@ -128,15 +127,18 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: float | N
     describe two equal spheres, or a sphere and a wall of its material.
     """
     try:
-        body = parse_object(file.read()) if file else _body(wall, given)
-        study = study_scaling(*read_scaling(body))
+        text = file.read() if file else json.dumps(_body(wall, given)).encode()
+        body = read_object(ScalingBody, text)
+        study = study_scaling(body, body.impact)
     except RefusedParametersError as refused:
         raise click.ClickException("\n".join(sentences(refused.errors))) from refused
-    except HTTPException as refused:
-        raise click.ClickException(str(refused.detail)) from refused
-    except RestitutionError as refused:
+    except (MalformedBodyError, RestitutionError) as refused:
         raise click.ClickException(str(refused)) from refused
-    click.echo(as_json(scaling_payload(study), "plain") if in_full else _summary(study))
+    click.echo(_written(scaling_result(study), "json") if in_full else _summary(study))
+
+
+def _written(result: Result, form: str) -> bytes:
+    return b"".join(formed(result, form)[1])
 
 
 def _body(wall: bool, given: dict[str, float | None]) -> dict[str, Any]:
@@ -219,13 +221,13 @@ def table(
     context: click.Context,
     kappa: tuple[float, float],
     kappa_count: int | None,
-    kappa_scale: str,
+    kappa_scale: Scale,
     psi: tuple[float, float],
     psi_count: int | None,
-    psi_scale: str,
+    psi_scale: Scale,
     damping: tuple[float, float],
     damping_count: int | None,
-    damping_scale: str,
+    damping_scale: Scale,
     error: float | None,
     sign: Sign,
     form: str,
@@ -258,7 +260,7 @@ def table(
             found = study_table_within(error, *asked, seconds=seconds)
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
-    out.write(bytes(formed(table_result(found), form, "plain").body))
+    out.write(_written(table_result(found), form))
     counts = " × ".join(str(count) for count in reversed(found.shape))
     click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
 

@@ -5,12 +5,12 @@ import json
 
 import pytest
 from document import ALWAYS_ON, EVERY_THIRD, OPERATIONS, parameters_of, query_of, third_of
-from starlette.requests import Request
+from starlette.datastructures import QueryParams
 
-from restitution.api.errors import RefusedParametersError
-from restitution.api.query import read_query
-from restitution.api.routes.collisions import _collide_many
-from restitution.api.schemas import CollisionQuery
+from restitution.wire.bodies import read_collisions
+from restitution.wire.queries import CollisionQuery
+from restitution.wire.reading import read_query
+from restitution.wire.refusals import RefusedParametersError
 from work import calls_of
 
 COLLISION = {"kappa": "18", "mu_over_alpha": "1.4", "gt_over_gn": "0.4"}
@@ -202,7 +202,7 @@ LONGER_AND_LONGER = {
 def test_refusing_a_body_takes_work_in_proportion_to_its_length(text):
     def refused(length):
         with pytest.raises(RefusedParametersError):
-            _collide_many(text(length).encode())
+            read_collisions(text(length).encode())
 
     few, many = (calls_of(lambda n=n: refused(n)) for n in (4000, 8000))
     assert many <= 2.1 * few
@@ -211,9 +211,8 @@ def test_refusing_a_body_takes_work_in_proportion_to_its_length(text):
 def test_refusing_a_query_takes_work_in_proportion_to_its_length():
     def refused(count):
         text = "&".join(f"p{i}={i}" for i in range(count)).encode()
-        scope = {"type": "http", "path": "/api/v1/collision", "query_string": text, "headers": []}
         with pytest.raises(RefusedParametersError):
-            read_query(Request(scope), CollisionQuery)
+            read_query(CollisionQuery, QueryParams(text).multi_items())
 
     few, many = (calls_of(lambda n=n: refused(n)) for n in (1000, 2000))
     assert many <= 2.1 * few

@@ -192,7 +192,7 @@ def test_both_languages_state_sign_and_error(sign):
 # the worked example
 
 GLASS = Sphere(0.003, 7e10, 0.22, density_kg_m3=2500.0)
-CONTACT = Contact(GLASS, GLASS, 0.3, None)
+CONTACT = Contact(GLASS, GLASS, 0.3, "mindlin")
 ROLE = """
 #include <stdio.h>
 int main(void)

@@ -14,7 +14,7 @@ DAMPINGS = (1e-6, 0.05, 0.3, 2.0, 30.0)
 
 
 def solve(method, damping, quantities=("epsilon_t",), **options):
-    return planner.solve(KAPPA, PSI, quantities, Options(method, damping=damping, **options))
+    return planner.solve(KAPPA, PSI, quantities, Options(method=method, damping=damping, **options))
 
 
 @pytest.mark.parametrize("damping", DAMPINGS)
@@ -48,7 +48,7 @@ def test_time_steps_without_damping_are_those_of_damping_that_vanishes():
 
 def test_coulomb_takes_the_normal_restitution():
     answer = planner.solve(
-        np.array([20.0]), np.array([3.0]), ("epsilon_t",), Options("coulomb", damping=0.3)
+        np.array([20.0]), np.array([3.0]), ("epsilon_t",), Options(method="coulomb", damping=0.3)
     )
     assert answer.epsilon_t[0] == 1.0 - (1.0 + normal_restitution(0.3)) / 3.0
     assert answer.error_bound[0] < 0.01
@@ -76,7 +76,7 @@ def test_auto_answers_what_is_too_stiff_with_a_bound_that_says_so():
     # P_max/(ψ√κ)
     assert np.all(answer.error_bound * psi * np.sqrt(kappa) == pytest.approx(1.10, abs=0.05))
     with pytest.raises(CostError):
-        planner.solve(kappa, psi, ("epsilon_t",), Options("exact", damping=0.1))
+        planner.solve(kappa, psi, ("epsilon_t",), Options(method="exact", damping=0.1))
 
 
 def test_no_damping_is_the_undamped_collision_bit_for_bit():

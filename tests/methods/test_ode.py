@@ -12,7 +12,7 @@ from restitution.methods.answer import Options
 
 def solve(kappa, psi, **options):
     kappas, psis = np.broadcast_arrays(np.atleast_1d(kappa), np.atleast_1d(psi))
-    return ode.solve(kappas.astype(float), psis.astype(float), Options("ode", **options))
+    return ode.solve(kappas.astype(float), psis.astype(float), Options(method="ode", **options))
 
 
 def sample(count=30):

@@ -74,7 +74,7 @@ SAMPLES = [
 
 def errors(kappa, psi):
     """Return the errors of the table beyond the exact method's own, and their bounds."""
-    answer = table.solve(kappa, psi, Options("table"))
+    answer = table.solve(kappa, psi, Options(method="table"))
     truth = collide(kappa, psi)
     assert np.all(np.abs(answer.epsilon_t) <= 1.0)
     return np.abs(answer.epsilon_t - truth.epsilon_t) - truth.error_bound, answer.error_bound
@@ -138,9 +138,9 @@ def test_corners_belong_to_the_table(kappa, psi):
 
 def test_limits_are_closed_forms():
     kappa = np.array([0.01, 18.0, 1000.0])
-    weak = table.solve(kappa, np.zeros(3), Options("table"))
+    weak = table.solve(kappa, np.zeros(3), Options(method="table"))
     np.testing.assert_array_equal(weak.epsilon_t, weak_limit(kappa))
-    free = table.solve(kappa, np.full(3, np.inf), Options("table"))
+    free = table.solve(kappa, np.full(3, np.inf), Options(method="table"))
     np.testing.assert_array_equal(free.epsilon_t, 1.0)
     assert np.all(weak.error_bound < 1e-12)
     assert np.all(free.error_bound < 1e-12)
@@ -151,7 +151,7 @@ def test_limits_are_closed_forms():
 )
 def test_what_lies_outside_is_refused_with_what_is_allowed(kappa, psi):
     with pytest.raises(ParameterError, match=r"0\.01 to 1000 .* 0\.001 to 1000") as refusal:
-        table.solve(np.array([1.0, kappa]), np.array([1.0, psi]), Options("table"))
+        table.solve(np.array([1.0, kappa]), np.array([1.0, psi]), Options(method="table"))
     assert refusal.value.parameter == "method"
     assert f"kappa = {kappa:g}, psi = {psi:g}" in refusal.value.requirement
 

@@ -11,7 +11,9 @@ from restitution.methods.answer import Options
 
 def solve(kappa, psi, **options):
     kappas, psis = np.broadcast_arrays(np.atleast_1d(kappa), np.atleast_1d(psi))
-    return timestep.solve(kappas.astype(float), psis.astype(float), Options("timestep", **options))
+    return timestep.solve(
+        kappas.astype(float), psis.astype(float), Options(method="timestep", **options)
+    )
 
 
 @pytest.mark.parametrize("integrator", ["velocity_verlet", "forward_euler"])

@@ -3,13 +3,14 @@
 import pytest
 
 from restitution.errors import ParameterError
-from restitution.studies.bodies import Sphere, Wall, pair
+from restitution.studies.bodies import Moment, Sphere, Wall, pair
 
-GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=1.4e-9)
+GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=Moment(1.4e-9))
 
 
 @pytest.mark.parametrize(
-    ("inertia", "alpha"), [("solid", 2 / 7), ("hollow", 2 / 5), (0.5 * 0.02**2 * 3.0, 1 / 3)]
+    ("inertia", "alpha"),
+    [("solid", 2 / 7), ("hollow", 2 / 5), (Moment(0.5 * 0.02**2 * 3.0), 1 / 3)],
 )
 def test_alpha_of_a_sphere_on_a_wall_is_that_of_two_equal_spheres(inertia, alpha):
     body = Sphere(0.02, 1e9, 0.3, mass_kg=3.0, inertia=inertia)

@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 from restitution.studies.bodies import Sphere, Wall
+from restitution.studies.impact import Velocities
 from restitution.studies.materials import MATERIALS
 from restitution.studies.scaling import Contact
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "real-spheres.md").read_text()
 
@@ -16,7 +17,9 @@ DOCUMENT = (Path(__file__).parents[2] / "docs" / "real-spheres.md").read_text()
 def test_kharaz2001_oblique_impacts_beside_the_model():
     (material,) = (m for m in MATERIALS if m.measured)
     wall = {name: part for name, part in material.body_2.items() if name != "wall"}
-    contact = Contact(Sphere(**material.body_1), Wall(**wall), material.friction_coefficient, None)
+    contact = Contact(
+        Sphere(**material.body_1), Wall(**wall), material.friction_coefficient, "mindlin"
+    )
     listed = re.findall(r"^\| ([\d.]+)° \|(.*)\|$", DOCUMENT, re.MULTILINE)
     for (angle, cells), point in zip(listed, material.measured.points, strict=True):
         study = study_scaling(

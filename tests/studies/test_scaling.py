@@ -15,13 +15,14 @@ from restitution.mechanics.viscoelastic import (
     largest_force,
     normal_restitution,
 )
-from restitution.studies.bodies import Sphere
+from restitution.studies.bodies import Moment, Sphere
+from restitution.studies.impact import Velocities
 from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
 FIGURE_2 = Contact(STEEL, STEEL, 0.4, 1e12)
-GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=1.4e-9)
+GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=Moment(1.4e-9))
 LIGHT = Sphere(0.011, 3.2e9, 0.37, density_kg_m3=410.0, inertia="hollow")
 
 
@@ -51,19 +52,28 @@ def test_schwager2008_footnote_2_with_its_mass_for_the_effective_mass():
 @pytest.mark.parametrize(("radius", "speed"), [(1e-3, 0.01), (0.5, 70.0)])
 def test_kappa_of_mindlin_depends_on_poissons_ratio_alone(poisson, kappa, radius, speed):
     body = Sphere(radius, 7e10, poisson, density_kg_m3=2500.0)
-    assert scales(Contact(body, body, 0.1, None), speed).kappa == pytest.approx(kappa, abs=5e-4)
+    assert scales(Contact(body, body, 0.1, "mindlin"), speed).kappa == pytest.approx(
+        kappa, abs=5e-4
+    )
 
 
 def test_beta_of_equal_materials_is_that_of_eq_18():
     modulus, nu, radius, mass = 3.3e9, 0.41, 0.007, 0.0123
     body = Sphere(radius, modulus, nu, mass_kg=mass)
     printed = 2 * modulus / (3 * (1 - nu**2)) * math.sqrt(radius / 2) / (mass / 2)
-    assert scales(Contact(body, body, 0.1, None), 1.0).beta == pytest.approx(printed, rel=1e-14)
+    assert scales(Contact(body, body, 0.1, "mindlin"), 1.0).beta == pytest.approx(
+        printed, rel=1e-14
+    )
 
 
 MAGNITUDE = st.floats(-60.0, 60.0).map(lambda exponent: 10.0**exponent)
 EXTREME = st.builds(
-    Sphere, MAGNITUDE, MAGNITUDE, st.floats(-0.99, 0.5), mass_kg=MAGNITUDE, inertia=MAGNITUDE
+    Sphere,
+    MAGNITUDE,
+    MAGNITUDE,
+    st.floats(-0.99, 0.5),
+    mass_kg=MAGNITUDE,
+    inertia=MAGNITUDE.map(Moment),
 )
 
 
@@ -75,8 +85,9 @@ def test_extremes_keep_every_digit(bodies, stiffness, dissipation, g_n):
         first, second = (
             {
                 name: mpmath.mpf(getattr(body, name))
-                for name in ("mass_kg", "radius_m", "inertia", "youngs_modulus_pa", "poisson_ratio")
+                for name in ("mass_kg", "radius_m", "youngs_modulus_pa", "poisson_ratio")
             }
+            | {"inertia": mpmath.mpf(body.inertia.moment_kg_m2)}
             for body in bodies
         )
 
@@ -141,7 +152,7 @@ def test_scaled_collision_does_not_change_with_the_units():
             density_kg_m3=body.density_kg_m3 and body.density_kg_m3 * density,
             inertia=body.inertia
             if isinstance(body.inertia, str)
-            else body.inertia * mass * length**2,
+            else Moment(body.inertia.moment_kg_m2 * mass * length**2),
         )
 
     other = study_scaling(

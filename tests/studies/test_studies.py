@@ -16,10 +16,11 @@ from restitution.studies.bodies import Sphere
 from restitution.studies.collision import QUANTITIES, study_collision
 from restitution.studies.cut import study_cut
 from restitution.studies.grid import study_grid
+from restitution.studies.impact import Velocities
 from restitution.studies.parameters import CollisionParameters
 from restitution.studies.presets import PRESETS
 from restitution.studies.scaling import Contact
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 from restitution.studies.trace import study_trace
 
 
@@ -90,7 +91,7 @@ def test_cut_and_map_and_batch_agree():
 
 
 def test_error_column_is_the_signed_distance_to_the_exact_method():
-    batch = study_batch(18.0, 1.4, [0.5, 4.0], ("epsilon_t", "error"), Options("coulomb"))
+    batch = study_batch(18.0, 1.4, [0.5, 4.0], ("epsilon_t", "error"), Options(method="coulomb"))
     exact = restitution.epsilon_t(18.0, 1.4, [0.5, 4.0])
     np.testing.assert_array_equal(batch.columns["error"], batch.columns["epsilon_t"] - exact)
 

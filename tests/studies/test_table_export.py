@@ -95,7 +95,7 @@ def test_denser_samples_raise_the_largest_error_by_less_than_the_margin(axes):
 
 def exact(kappa, psi, damping):
     """Return ε_t by the way that lists of collisions take."""
-    batch = study_batch(kappa, 1.0, psi, ("epsilon_t",), Options("exact"), damping)
+    batch = study_batch(kappa, 1.0, psi, ("epsilon_t",), Options(method="exact"), damping)
     return batch.columns["epsilon_t"]
 
 

@@ -4,9 +4,9 @@ import math
 from dataclasses import replace
 
 from restitution.studies.bodies import Sphere, Wall
-from restitution.studies.impact import Impact
+from restitution.studies.impact import Impact, Velocities
 from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
 FIGURE_2 = Contact(STEEL, STEEL, 0.4, 1e12)
@@ -17,13 +17,13 @@ def codes(contact, impact):
 
 
 def test_gentle_impact_of_mindlins_stiffness_warns_of_nothing():
-    gentle = replace(FIGURE_2, tangential_stiffness_n_per_m=None)
+    gentle = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
     assert codes(gentle, Velocities(0.01, 0.01)) == []
 
 
 def test_warnings_begin_where_they_say():
     rubber = Sphere(0.02, 1e6, 0.49, density_kg_m3=1100.0)
-    contact = Contact(rubber, Wall(1e12, 0.3), 0.4, None)
+    contact = Contact(rubber, Wall(1e12, 0.3), 0.4, "mindlin")
     share = scales(contact, 1.0).maximum_compression_m / 0.02
     limit = (0.05 / share) ** 1.25
     assert codes(contact, Velocities(0.999 * limit, 0.0)) == []
@@ -32,7 +32,7 @@ def test_warnings_begin_where_they_say():
 
 def test_plastic_flow_begins_at_johnsons_velocity():
     soft = replace(STEEL, yield_stress_pa=4e8)
-    contact = Contact(soft, STEEL, 0.4, None)
+    contact = Contact(soft, STEEL, 0.4, "mindlin")
     at = scales(contact, 1.0)
     # Johnson 1985, Eq. 11.20: ½ m v² = (53.4/(E*⁴ )) R³ Y⁵ up to the rounding of 1.6 and 53.4
     modulus, radius, mass = (
@@ -43,11 +43,13 @@ def test_plastic_flow_begins_at_johnsons_velocity():
     speed = math.sqrt(2 * 53.4 * radius**3 * 4e8**5 / modulus**4 / mass)
     assert codes(contact, Velocities(0.97 * speed, 0.0)) == []
     assert codes(contact, Velocities(1.03 * speed, 0.0)) == ["plastic_flow"]
-    assert codes(replace(FIGURE_2, tangential_stiffness_n_per_m=None), Velocities(9.0, 0.0)) == []
+    assert (
+        codes(replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin"), Velocities(9.0, 0.0)) == []
+    )
 
 
 def test_turning_normal_is_that_of_the_centres_not_of_spin():
-    contact = replace(FIGURE_2, tangential_stiffness_n_per_m=None)
+    contact = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
     turn = scales(contact, 1.0).contact_duration_s / 0.04
     crossing = 0.05 / turn
     assert codes(contact, Velocities(1.0, 0.99 * crossing)) == []
@@ -58,7 +60,7 @@ def test_turning_normal_is_that_of_the_centres_not_of_spin():
 
 
 def test_normal_of_a_wall_does_not_turn():
-    contact = Contact(STEEL, Wall(2.1e11, 0.3), 0.4, None)
+    contact = Contact(STEEL, Wall(2.1e11, 0.3), 0.4, "mindlin")
     assert codes(contact, Velocities(1.0, 1e4)) == []
 
 

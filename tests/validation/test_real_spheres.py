@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 from real_spheres import integrate, laws
 
-from restitution.studies.bodies import Sphere
+from restitution.studies.bodies import Moment, Sphere
+from restitution.studies.impact import Velocities
 from restitution.studies.scaling import Contact
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 
 def random_body(rng):
@@ -46,7 +47,11 @@ def differences(count, seed, *, damped):
         contact = Contact(
             *(
                 Sphere(
-                    b["radius"], b["young"], b["poisson"], mass_kg=b["mass"], inertia=b["moment"]
+                    b["radius"],
+                    b["young"],
+                    b["poisson"],
+                    mass_kg=b["mass"],
+                    inertia=Moment(b["moment"]),
                 )
                 for b in bodies
             ),

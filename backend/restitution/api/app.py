@@ -7,17 +7,18 @@ from contextlib import asynccontextmanager
 
 from fastapi import FastAPI
 
-from restitution.api import description, errors
+from restitution.api import document, problems
 from restitution.api.admission import Admission
-from restitution.api.description import about
 from restitution.api.observing import LOGGER, observe, set_up_log
 from restitution.api.page import add_page, compress_page
 from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, paper, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings
-from restitution.api.transport import Compression, Manners, OpenDoors
+from restitution.api.transport import Compression, HeadersAndHead, OpenDoors
 from restitution.api.warm import warm, warm_rest
+
+ROOMS = (collisions, scaling, table, tradeoff, paper, service)
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -27,7 +28,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     """
     settings = settings or Settings()
     app = FastAPI(
-        **about(),
+        **document.about(),
         lifespan=_lifespan,
         # FastAPI's own would load their scripts from elsewhere
         docs_url=None,
@@ -38,20 +39,16 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.state.runs = Runs() if settings.tradeoff_runs else None
     app.state.admission = Admission(settings.most_quick, settings.most_long, settings.most_waiting)
     app.state.frontend_directory = settings.frontend_directory
-    errors.install(app)
+    problems.install(app)
     # the last one added is the first to see a request
     app.add_middleware(Compression)
     app.add_middleware(OpenDoors)
-    app.add_middleware(Manners)
-    app.include_router(collisions.router)
-    app.include_router(scaling.router)
-    app.include_router(table.router)
-    app.include_router(tradeoff.router)
-    app.include_router(paper.router)
-    app.include_router(service.router)
+    app.add_middleware(HeadersAndHead)
+    for room in ROOMS:
+        app.include_router(room.calls)
     app.include_router(service.health)
     observe(app, log_requests=settings.log_requests)
-    description.install(app)
+    document.install(app, [body for room in ROOMS for body in room.calls.bodies])
     add_reference_pages(app)
     add_page(app, settings.frontend_directory)
     return app

@@ -14,7 +14,7 @@ from starlette.datastructures import Headers
 from starlette.staticfiles import StaticFiles
 from starlette.types import Scope
 
-from restitution.api.forms import known_tag
+from restitution.api.transport import known_tag
 from restitution.mechanics.compiled import CACHE_FOLDER
 
 PLOTLY = Path(str(files("plotly").joinpath("package_data", "plotly.min.js")))

@@ -6,10 +6,19 @@ from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
-from restitution.api.errors import problem
+from restitution.api.problems import problem
 
 COMPRESSED = '-gzip"'
 """Ends the entity tag of an answer that was compressed: a strong tag names bytes."""
+
+
+def known_tag(tag: str, header: str) -> str | None:
+    """Return `tag` as If-None-Match has it, compressed or not, None if it is not there."""
+    names = {name.strip().removeprefix("W/") for name in header.split(",")}
+    if compressed := {tag.removesuffix('"') + COMPRESSED} & names:
+        return compressed.pop()
+    return tag if names & {tag, "*"} else None
+
 
 HEADERS = {
     "X-Content-Type-Options": "nosniff",
@@ -44,7 +53,7 @@ class Compression:
         await (self._arrays if arrays else self._texts)(scope, receive, tagged)
 
 
-class Manners:
+class HeadersAndHead:
     """Add the headers of every answer; answer HEAD as GET without the body."""
 
     def __init__(self, app: ASGIApp) -> None:
@@ -57,7 +66,7 @@ class Manners:
             return
         head = scope["method"] == "HEAD"
 
-        async def mannered(message: Message) -> None:
+        async def with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
                 present = Headers(raw=message["headers"])
                 message["headers"] += [
@@ -69,7 +78,7 @@ class Manners:
                 message = {**message, "body": b""}
             await send(message)
 
-        await self._app({**scope, "method": "GET"} if head else scope, receive, mannered)
+        await self._app({**scope, "method": "GET"} if head else scope, receive, with_headers)
 
 
 class OpenDoors(CORSMiddleware):

@@ -11,12 +11,12 @@ from restitution.studies.trace import study_trace
 def warm() -> None:
     """Run one collision through the kernels of what the page shows first."""
     study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
-    study_batch(18.0, 1.4, 0.4, QUANTITIES, Options("stiff"))
+    study_batch(18.0, 1.4, 0.4, QUANTITIES, Options(method="stiff"))
 
 
 def warm_rest() -> None:
     """Run one through every other, and load the table or build it the first time (15 s)."""
     study_trace(CollisionParameters(18.0, 1.4, 0.4, 0.1), samples=2)
-    study_trace(CollisionParameters(18.0, 1.4, 0.4), Options("timestep"), samples=2)
-    study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options("table"))
+    study_trace(CollisionParameters(18.0, 1.4, 0.4), Options(method="timestep"), samples=2)
+    study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options(method="table"))
     study_table(Axis(1.0, 2.0, 2), Axis(1.0, 2.0, 2), "paper", 0.1, seconds=1.0)

@@ -1,49 +1,63 @@
 """What every method takes and gives."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from typing import Annotated, Literal
 
 import numpy as np
 import numpy.typing as npt
+from annotated_types import Ge, Le
 
+from restitution.bounds import Meaning, closed
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.viscoelastic import MOST_DAMPING
+
+Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
+Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
+Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), Meaning("η = (3/2) A β^{2/5} g_n^{1/5}")]
+
+Tolerance = Annotated[float, Ge(1e-13), Le(1), Meaning("largest absolute error wanted in ε_t")]
 
 
-@dataclass(frozen=True)
+@closed
 class Options:
     """What a caller may say about the way to get ε_t.
 
     Attributes
     ----------
-    method : str
-        ``auto`` or the name of a method.
+    damping : float
+        η of all the collisions; of lists of collisions and of maps alike.
     tolerance : float
         Largest absolute error wanted in ε_t.
-    damping : float
-        η = (3/2) A β^{2/5} g_n^{1/5} of all the collisions, 0 … `viscoelastic.MOST_DAMPING`.
-    share : float
-        Of the budget of a request, what these collisions may use; less than 1 beside others.
-    floor : float
-        ε₀ of the pragmatic model.
-    steps : int
-        Steps per contact of ``timestep``.
-    integrator : str
-        Of ``timestep``, one of `mechanics.stepping.INTEGRATORS`.
-    phase : float
-        Where in a step of ``timestep`` the contact begins, 0 … 1.
+    method : str
+        ``auto`` or the name of a method.
+    steps, integrator, phase : int, str, float
+        Steps per contact of ``timestep``, how it takes them (`mechanics.stepping`), and where in
+        a step the contact begins.
     rtol : float
         Relative tolerance of ``ode``.
+    floor : float
+        ε₀ of ``pragmatic``.
     """
 
-    method: str = "auto"
-    tolerance: float = 1e-10
-    damping: float = 0.0
-    share: float = 1.0
-    floor: float = 0.0
-    steps: int = 50
-    integrator: str = "velocity_verlet"
-    phase: float = 0.0
-    rtol: float = 1e-9
+    damping: Damping = 0.0
+    tolerance: Tolerance = 1e-10
+    method: Method = "auto"
+    steps: Annotated[int, Ge(4), Le(1_000_000), Meaning("steps per contact of `timestep`")] = 50
+    integrator: Integrator = "velocity_verlet"
+    phase: Annotated[
+        float, Ge(0), Le(1), Meaning("where in a step of `timestep` the contact begins")
+    ] = 0.0
+    rtol: Annotated[float, Ge(1e-13), Le(0.1), Meaning("relative tolerance of `ode`")] = 1e-9
+    floor: Annotated[float, Ge(-1), Le(1), Meaning("ε₀ of `pragmatic`")] = 0.0
+    share: float = field(default=1.0, init=False, repr=False)
+    """Of the budget of a request, what these collisions may use; less than 1 beside others."""
+
+    def beside_others(self, damping: float, share: float) -> "Options":
+        """Return the options of collisions of one damping among others."""
+        theirs = replace(self, damping=damping)
+        object.__setattr__(theirs, "share", share)
+        return theirs
 
 
 @dataclass(frozen=True)

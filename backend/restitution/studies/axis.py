@@ -1,11 +1,14 @@
 """The values of one parameter along a cut or an edge of a map."""
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
+
+Scale = Literal["linear", "log"]
 
 
 @dataclass(frozen=True)
@@ -18,7 +21,7 @@ class Axis:
     minimum: float
     maximum: float
     count: int
-    scale: str = "linear"
+    scale: Scale = "linear"
     prefix: str = ""
     suffixes: tuple[str, str] = ("minimum", "maximum")
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -22,7 +22,7 @@ from restitution.studies.parameters import check
 MOST_DAMPINGS = 2000
 """Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
 
-QUANTITIES = (
+BatchQuantity = Literal[
     "epsilon_t",
     "switches",
     "coulomb",
@@ -30,9 +30,14 @@ QUANTITIES = (
     "stiff_asymptote",
     "largest_switches",
     "error",
-)
-LISTED = ("epsilon_t", "epsilon_n", "switches")
-"""Quantities of cuts and maps; of lists of collisions."""
+]
+"""Of cuts and maps."""
+
+ListedQuantity = Literal["epsilon_t", "epsilon_n", "switches"]
+"""Of lists of collisions."""
+
+QUANTITIES: tuple[BatchQuantity, ...] = get_args(BatchQuantity)
+LISTED: tuple[ListedQuantity, ...] = get_args(ListedQuantity)
 
 Column = FloatArray | npt.NDArray[np.int32]
 
@@ -115,7 +120,7 @@ def study_batch(
             psis[part],
             quantities,
             # each its part of the budget, so that all together stay within it
-            replace(options, damping=eta, share=part.size / kappas.size),
+            options.beside_others(eta, part.size / kappas.size),
         )
         for eta, part in groups
     ]

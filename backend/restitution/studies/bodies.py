@@ -4,10 +4,13 @@ SI units throughout. A wall has infinite mass and radius.
 """
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Any, Literal
 
+from annotated_types import Ge, Gt, Le
+
+from restitution.bounds import Choice, Misfit, Words, checked
 from restitution.errors import ParameterError
 from restitution.studies.powers import joined, product_of_powers, representable
 
@@ -15,43 +18,80 @@ GYRATION = {"solid": 2.0 / 5.0, "hollow": 2.0 / 3.0}
 """J/(mR²) of a homogeneous sphere and of a thin shell."""
 
 
-@dataclass(frozen=True)
+Positive = Annotated[float, Gt(0)]
+NotNegative = Annotated[float, Ge(0)]
+PoissonRatio = Annotated[float, Gt(-1), Le(0.5)]
+
+
+@checked
+class Moment:
+    """A moment of inertia J in kg m² of one's own."""
+
+    moment_kg_m2: Positive
+
+
+@checked
 class Sphere:
-    """A sphere.
+    """A sphere; of mass and density one is given.
 
     Attributes
     ----------
     radius_m, youngs_modulus_pa : float
-        R and Y, positive.
+        R and Y.
     poisson_ratio : float
-        ν, above −1, at most ½.
+        ν.
     mass_kg, density_kg_m3 : float or None
-        One of them, positive. The density of a hollow sphere is its mass over the whole volume.
-    inertia : ``"solid"``, ``"hollow"`` or float
-        A float is the moment of inertia J in kg m², positive.
+        The density of a hollow sphere is its mass over the whole volume.
+    inertia : ``"solid"``, ``"hollow"`` or Moment
+        J/(mR²) is 2/5 and 2/3.
     yield_stress_pa : float or None
         Tensile yield stress, if plastic flow is to be looked for.
     """
 
-    radius_m: float
-    youngs_modulus_pa: float
-    poisson_ratio: float
-    mass_kg: float | None = None
-    density_kg_m3: float | None = None
-    inertia: Literal["solid", "hollow"] | float = "solid"
-    yield_stress_pa: float | None = None
+    radius_m: Positive
+    youngs_modulus_pa: Positive
+    poisson_ratio: PoissonRatio
+    mass_kg: Positive | None = None
+    density_kg_m3: Positive | None = None
+    inertia: Annotated[
+        Literal["solid", "hollow"] | Moment, Words('solid, hollow, or {"moment_kg_m2": …}')
+    ] = "solid"
+    yield_stress_pa: Positive | None = None
+    wall: Annotated[Literal[False], Words("true, or left out for a sphere")] = False
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield what is wrong with mass and density beside each other, and with `wall`."""
+        if given.get("wall", False) is not False:
+            yield "wall", "true, or left out for a sphere"
+        if "density_kg_m3" not in given and "mass_kg" not in given:
+            yield "density_kg_m3", "finite and > 0, unless mass_kg is given"
+        if "density_kg_m3" in given and "mass_kg" in given:
+            yield "mass_kg", "left out, as density_kg_m3 is given"
 
 
-@dataclass(frozen=True)
+@checked
 class Wall:
     """A flat body that neither yields way nor turns; attributes as of `Sphere`."""
 
-    youngs_modulus_pa: float
-    poisson_ratio: float
-    yield_stress_pa: float | None = None
+    youngs_modulus_pa: Positive
+    poisson_ratio: PoissonRatio
+    yield_stress_pa: Positive | None = None
+    wall: Literal[True] = True
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield what only a sphere has."""
+        for name in ("radius_m", "density_kg_m3", "mass_kg", "inertia"):
+            if name in given:
+                yield name, "left out: a wall has infinite radius and mass"
 
 
-Body = Sphere | Wall
+def _is_wall(body: object) -> bool:
+    return isinstance(body, Wall) or (isinstance(body, Mapping) and body.get("wall") is True)
+
+
+Body = Annotated[Sphere | Wall, Choice(lambda body: Wall if _is_wall(body) else Sphere)]
 
 
 @dataclass(frozen=True)
@@ -86,6 +126,12 @@ class Pair:
     turning_shares_per_m: tuple[float, float]
 
 
+def two_walls(given: Mapping[str, Any]) -> Iterator[Misfit]:
+    """Yield that two walls do not collide."""
+    if _is_wall(given.get("body_1")) and _is_wall(given.get("body_2")):
+        yield "body_2.wall", "left out: one of the two bodies has to be a sphere"
+
+
 def pair(body_1: Body, body_2: Body) -> Pair:
     """Return what the contact of two bodies inherits from them.
 
@@ -100,8 +146,8 @@ def pair(body_1: Body, body_2: Body) -> Pair:
     >>> round(7 * pair(glass, Wall(2.1e11, 0.3)).alpha, 12)
     2.0
     """
-    if isinstance(body_1, Wall) and isinstance(body_2, Wall):
-        raise ParameterError("body_2.wall", True, "left out: one of the two bodies is a sphere")
+    for name, words in two_walls({"body_1": body_1, "body_2": body_2}):
+        raise ParameterError(name, True, words)
     bodies = body_1, body_2
     radii = _radius(body_1), _radius(body_2)
     masses = _mass("body_1", body_1), _mass("body_2", body_2)
@@ -170,7 +216,7 @@ def _over_inertia(body: Body, mass: float, effective_mass: float, power: int) ->
     if isinstance(body.inertia, str):
         moment = (GYRATION[body.inertia], -10), (mass, -10), (body.radius_m, -20)
         return product_of_powers(*factors, *moment)
-    return product_of_powers(*factors, (body.inertia, -10))
+    return product_of_powers(*factors, (body.inertia.moment_kg_m2, -10))
 
 
 def _joined_modulus(first: Body, second: Body, compliance: Callable[[float], float]) -> float:

@@ -83,7 +83,7 @@ def candidates(*, damped: bool = False) -> list[Candidate]:
             found += [_solver(r, s) for s in ("held", "free") for r in RTOL[:2]]
         else:
             found += [
-                Candidate(method, options, _bare(Options(method, **options)))
+                Candidate(method, options, _bare(Options(**{"method": method, **options})))
                 for options in settings
             ]
     return found

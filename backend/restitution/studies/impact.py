@@ -1,14 +1,16 @@
 """Velocities and spins of two bodies before and after they collide (Eqs. 4–7)."""
 
 import math
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
+from annotated_types import Gt
 
+from restitution.bounds import Choice, Meaning, Misfit, Words, annotations, checked
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
-from restitution.studies.bodies import Pair
+from restitution.studies.bodies import NotNegative, Pair
 from restitution.studies.powers import representable
 
 Vector = tuple[float, float, float]
@@ -16,25 +18,60 @@ Vector = tuple[float, float, float]
 AT_REST: Vector = (0.0, 0.0, 0.0)
 
 
-@dataclass(frozen=True)
-class Impact:
-    """Motion before a collision.
+@checked
+class Velocities:
+    """An impact by the velocity at the point of contact: g_n and g_t in m/s."""
 
-    Attributes
-    ----------
-    velocity_1_m_s, velocity_2_m_s : tuple of float
-        Of the centres.
-    normal : tuple of float
-        Direction from body 2 to body 1 (Eq. 1), of any length > 0.
-    spin_1_rad_s, spin_2_rad_s : tuple of float
-        Angular velocities.
+    normal_velocity_m_s: Annotated[float, Gt(0), Words("finite and > 0: the bodies approach")]
+    tangential_velocity_m_s: NotNegative
+
+
+@checked
+class Impact:
+    """Motion of both bodies before a collision: velocities of the centres, and spins.
+
+    `normal` points from body 2 to body 1 (Eq. 1).
     """
 
     velocity_1_m_s: Vector
     velocity_2_m_s: Vector
-    normal: Vector
+    normal: Annotated[Vector, Meaning("of any length > 0")]
     spin_1_rad_s: Vector = AT_REST
     spin_2_rad_s: Vector = AT_REST
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield that there is no normal, or two impacts in one."""
+        if given.get("normal") in ([0, 0, 0], (0, 0, 0)):
+            yield "normal", "of a length > 0, from body 2 to body 1"
+        for name in annotations(Velocities):
+            if name in given:
+                yield name, "left out, as velocities are given"
+
+
+def _kind(given: Mapping[str, Any]) -> type:
+    return Impact if annotations(Impact).keys() & given.keys() else Velocities
+
+
+def made_impact(members: Mapping[str, Any]) -> "Velocities | Impact":
+    """Return the impact that some members tell."""
+    kind = _kind(members)
+    try:
+        made: Velocities | Impact = kind(**members)
+    except TypeError as error:
+        names = ", ".join(annotations(kind))
+        raise ParameterError("impact", sorted(members), f"told by {names}") from error
+    return made
+
+
+AnyImpact = Annotated[
+    Velocities | Impact,
+    Choice(_kind),
+    Words(
+        "an object with normal_velocity_m_s and tangential_velocity_m_s, or with velocity_1_m_s, "
+        "velocity_2_m_s, spin_1_rad_s, spin_2_rad_s, normal"
+    ),
+]
 
 
 class Approach(NamedTuple):

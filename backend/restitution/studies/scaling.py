@@ -2,8 +2,11 @@
 
 import functools
 import math
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
+from restitution.bounds import Meaning, Misfit, Words, checked
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
 from restitution.mechanics.viscoelastic import (
@@ -12,39 +15,111 @@ from restitution.mechanics.viscoelastic import (
     largest_compression,
     largest_force,
 )
-from restitution.studies.bodies import Body, Pair, pair
+from restitution.methods.answer import Options
+from restitution.studies.axis import Axis
+from restitution.studies.bodies import Body, NotNegative, Pair, Positive, pair, two_walls
+from restitution.studies.impact import made_impact
 from restitution.studies.powers import product_of_powers, representable
+
+if TYPE_CHECKING:
+    from restitution.studies.spheres import ScalingStudy
+    from restitution.studies.velocity_map import VelocityMap
 
 SMALLEST = math.ulp(0.0)
 """Stands for positive quantities that underflow where any tiny value gives the same collision."""
 
 
-@dataclass(frozen=True)
+@checked
 class Contact:
-    """Two bodies and the laws of their contact.
+    """Two bodies, at most one of them a wall, and the laws of their contact.
 
     Attributes
     ----------
     body_1, body_2 : Sphere or Wall
-        At most one of them a wall.
     friction_coefficient : float
-        μ, 0 or more.
-    tangential_stiffness_n_per_m : float or None
-        k_t, positive; None for Mindlin's 8 G* a at the largest undamped compression.
+        μ.
+    tangential_stiffness_n_per_m : float or ``"mindlin"``
+        k_t, or Mindlin's 8 G* a at the largest undamped compression.
     dissipative_constant_s : float
-        A of Eq. 1, 0 or more.
+        A of Eq. 1.
     """
 
     body_1: Body
     body_2: Body
-    friction_coefficient: float
-    tangential_stiffness_n_per_m: float | None
-    dissipative_constant_s: float = 0.0
+    friction_coefficient: NotNegative
+    tangential_stiffness_n_per_m: Annotated[
+        Positive | Literal["mindlin"],
+        Words("finite and > 0, or mindlin"),
+        Meaning("mindlin: 8G*a at the largest undamped compression"),
+    ]
+    dissipative_constant_s: NotNegative = 0.0
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield what is wrong with the bodies beside each other."""
+        yield from two_walls(given)
 
     @functools.cached_property
     def pair(self) -> Pair:
         """What the contact inherits from its bodies."""
         return pair(self.body_1, self.body_2)
+
+    def impact(self, *, tolerance: float = 1e-10, **how: Any) -> "ScalingStudy":
+        """Return what comes out of an impact, as ``POST /scaling``.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            Largest absolute error wanted in ε_t.
+        **how
+            Members of `Velocities`, or of `Impact`: then there are velocities and spins after it.
+
+        Raises
+        ------
+        ParameterError
+            If the bodies do not approach or a quantity is beyond double precision.
+
+        Examples
+        --------
+        >>> from restitution.studies.bodies import Sphere, Wall
+        >>> ball = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+        >>> floor = Contact(ball, Wall(7e10, 0.25), 0.4, "mindlin")
+        >>> round(floor.impact(normal_velocity_m_s=1.0, tangential_velocity_m_s=0.5).epsilon_t, 4)
+        0.5059
+        """
+        # it is made of contacts itself
+        from restitution.studies.spheres import study_scaling  # noqa: PLC0415
+
+        return study_scaling(self, made_impact(how), Options(tolerance=tolerance))
+
+    def map(
+        self,
+        normal_velocity_m_s: Axis,
+        tangential_velocity_m_s: Axis,
+        *,
+        quantities: Collection[str] = ("epsilon_t", "switches"),
+        tolerance: float = 1e-10,
+    ) -> "VelocityMap":
+        """Return collisions over both velocities, as ``POST /scaling/map``.
+
+        Parameters
+        ----------
+        normal_velocity_m_s, tangential_velocity_m_s : Axis
+            g_n > 0 and g_t ≥ 0 in m/s.
+        quantities : collection of str, optional
+            Of `batch.QUANTITIES`.
+        tolerance : float, optional
+            Largest absolute error wanted in ε_t.
+
+        Raises
+        ------
+        ParameterError
+            If a range is empty or a quantity is beyond double precision.
+        """
+        from restitution.studies.velocity_map import study_velocity_map  # noqa: PLC0415
+
+        edges = normal_velocity_m_s, tangential_velocity_m_s
+        return study_velocity_map(self, *edges, quantities, Options(tolerance=tolerance))
 
 
 @dataclass(frozen=True)
@@ -146,7 +221,7 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
         (8.0, 10), (both.effective_shear_modulus_pa, 10), (radius, 5), (undamped, 5)
     )
     given = contact.tangential_stiffness_n_per_m
-    stiffness = held("tangential_stiffness_n_per_m", mindlin) if given is None else given
+    stiffness = held("tangential_stiffness_n_per_m", mindlin) if given == "mindlin" else given
     kappa = product_of_powers(
         (stiffness, 10), (both.alpha, -10), (mass, -10), (beta, -8), (g_n, -4)
     )

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -60,7 +61,9 @@ class Scene:
 
 _SLIP = _linear(0.01 / FRICTION, 4.0 / FRICTION)
 
-SCENES = {
+SceneName = Literal["figure4", "stiff", "solids", "damped", "extremes"]
+
+SCENES: dict[str, Scene] = {
     "figure4": Scene(
         "Figure 4 of the paper: κ 0.1…70, g_t/g_n 0.01…4 at μ/α = 1.4", _linear(0.1, 70.0), _SLIP
     ),

@@ -5,18 +5,10 @@ from dataclasses import dataclass
 
 from restitution.methods.answer import Options
 from restitution.studies.collision import study_collision
-from restitution.studies.impact import After, Impact, after_impact, contact_velocity
+from restitution.studies.impact import After, Impact, Velocities, after_impact, contact_velocity
 from restitution.studies.parameters import CONVENTION, CollisionParameters
 from restitution.studies.scaling import Contact, friction_over_alpha, scales, velocity_ratio
 from restitution.studies.validity import Caution, cautions
-
-
-@dataclass(frozen=True)
-class Velocities:
-    """An impact by the velocity at the point of contact: g_n > 0 and g_t ≥ 0 in m/s."""
-
-    normal_velocity_m_s: float
-    tangential_velocity_m_s: float
 
 
 @dataclass(frozen=True)

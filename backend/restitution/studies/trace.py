@@ -61,6 +61,10 @@ class TraceStudy:
     switch_times: FloatArray
     method_columns: dict[str, FloatArray]
 
+    def __getitem__(self, column: str) -> FloatArray | npt.NDArray[np.int8]:
+        """Return one of the columns."""
+        return self.columns[column]
+
 
 def study_trace(
     parameters: CollisionParameters,

@@ -1,30 +1,25 @@
 """What the page and a supervisor ask: presets, health, readiness."""
 
-from typing import Annotated, Any
+from typing import Any
 
-from fastapi import APIRouter, Query, Request, Response
+from fastapi import APIRouter, Request, Response
 
-from restitution.api import answers
-from restitution.api.description import refusals, stored
-from restitution.api.errors import problem
-from restitution.api.forms import Result, respond
-from restitution.api.query import QueryRoute
-from restitution.api.schemas import NoQuery
+from restitution.api.calls import Calls
+from restitution.api.document import refusals
+from restitution.api.problems import problem
 from restitution.studies.presets import PRESETS
+from restitution.wire import answers
+from restitution.wire.formats import Result
+from restitution.wire.queries import NoQuery
 
-router = APIRouter(route_class=QueryRoute)
+calls = Calls("presets")
 health = APIRouter(tags=["service"])
 
 
-@router.get(
-    "/api/v1/presets",
-    tags=["presets"],
-    summary="Collisions worth a look",
-    responses=stored(answers.Presets),
-)
-async def presets(request: Request, query: Annotated[NoQuery, Query()]) -> Response:
+@calls.stored("/presets", NoQuery, answers.Presets, "Collisions worth a look")
+def presets(_: NoQuery) -> Result:
     """Return collisions worth a look."""
-    return await respond(request, query, lambda: Result({"items": list(PRESETS)}, dict), quick=True)
+    return Result({"items": list(PRESETS)}, dict)
 
 
 @health.get(

@@ -5,23 +5,23 @@ from typing import Annotated, Any
 
 import numpy as np
 import orjson
-from fastapi import APIRouter, Path, Query, Request, Response
+from fastapi import Path, Request, Response
 from starlette.exceptions import HTTPException
 
-from restitution.api import answers
-from restitution.api.description import computed, refusals, stored, told
-from restitution.api.forms import PROGRAM_VERSION, Payload, Result, respond
-from restitution.api.query import QueryRoute
+from restitution.api import document
+from restitution.api.calls import PROGRAM_VERSION, Calls, parameters, respond
 from restitution.api.runs import Run, Runs
-from restitution.api.schemas import NoQuery, RunQuery, StepsQuery, TradeoffQuery
 from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
 from restitution.studies.tradeoff import load_tradeoff
+from restitution.wire import answers
+from restitution.wire.formats import Payload, Result
+from restitution.wire.queries import NoQuery, SceneQuery, StepsQuery, TradeoffQuery, as_understood
 
 SPREAD = tuple(part.name for part in fields(Spread))
 
 RunName = Annotated[str, Path(description="`id` of a measurement")]
 
-router = APIRouter(prefix="/api/v1", tags=["tradeoff"], route_class=QueryRoute)
+calls = Calls("tradeoff")
 
 
 def _columns(rows: list[dict[str, Any]]) -> Payload:
@@ -35,13 +35,16 @@ def _columns(rows: list[dict[str, Any]]) -> Payload:
     return columns
 
 
-@router.get(
+@calls.get(
     "/tradeoff",
     summary="The stored measurement",
-    responses=stored(answers.Tradeoff, forms=True),
+    response_class=Response,
+    responses=document.stored(TradeoffQuery, answers.Tradeoff),
+    openapi_extra=document.asked(TradeoffQuery, {"scene": "figure4"}),
 )
-async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -> Response:
+async def tradeoff(request: Request) -> Response:
     """Return what every method costs and how far it is off on the collisions of a scene."""
+    query = parameters(request, TradeoffQuery)
     can_run = request.app.state.runs is not None
     stored = {**load_tradeoff()[query.scene], "can_be_measured_anew": can_run}
 
@@ -54,39 +57,41 @@ async def tradeoff(request: Request, query: Annotated[TradeoffQuery, Query()]) -
     return await respond(request, query, compute, version, quick=True)
 
 
-@router.get("/steps", summary="Steps per contact", responses=computed(answers.Steps))
-async def steps(request: Request, query: Annotated[StepsQuery, Query()]) -> Response:
+@calls.computed(
+    "/steps",
+    StepsQuery,
+    answers.Steps,
+    "Steps per contact",
+    example={"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358},
+)
+def steps(query: StepsQuery) -> Result:
     """Return how many time steps per contact a wanted error takes, by each integrator."""
-
-    def compute() -> Result:
-        where = query.parameters
-        study = study_steps(query.error, where or query.region or "figure4")
-        psi = where.psi if where else np.inf
-        fewest, most = study.rule_steps
-        too_many = f"not tried beyond {MOST_STEPS:,} steps" if most > MOST_STEPS else None
-        names, rungs, spreads = zip(*study.ladder, strict=True)
-        ladder = {
-            "integrator": np.array(names),
-            "steps": np.array(rungs, np.int32),
-            **{part: np.array([vars(spread)[part] for spread in spreads]) for part in SPREAD},
-        }
-        payload = {
-            "parameters": query.model_dump(exclude={"format", "encoding"})
-            | {
-                "damping": where.damping if where else None,
-                "psi": psi if np.isfinite(psi) else None,
-            },
-            "collisions": study.collisions,
-            "phases": study.phases,
-            "stability_limit": study.stability_limit,
-            "needed": {name: asdict(needed) for name, needed in study.needed.items()},
-            "rule": {"factor": RULE, "steps_min": fewest, "steps_max": most, "reason": too_many}
-            | {name: asdict(spread) for name, spread in study.rule.items()},
-            **ladder,
-        }
-        return Result(payload, lambda: ladder)
-
-    return await respond(request, query, compute)
+    where = query.parameters
+    study = study_steps(query.error, where or query.region or "figure4")
+    psi = where.psi if where else np.inf
+    fewest, most = study.rule_steps
+    too_many = f"not tried beyond {MOST_STEPS:,} steps" if most > MOST_STEPS else None
+    names, rungs, spreads = zip(*study.ladder, strict=True)
+    ladder = {
+        "integrator": np.array(names),
+        "steps": np.array(rungs, np.int32),
+        **{part: np.array([vars(spread)[part] for spread in spreads]) for part in SPREAD},
+    }
+    payload = {
+        "parameters": as_understood(query)
+        | {
+            "damping": where.damping if where else None,
+            "psi": psi if np.isfinite(psi) else None,
+        },
+        "collisions": study.collisions,
+        "phases": study.phases,
+        "stability_limit": study.stability_limit,
+        "needed": {name: asdict(needed) for name, needed in study.needed.items()},
+        "rule": {"factor": RULE, "steps_min": fewest, "steps_max": most, "reason": too_many}
+        | {name: asdict(spread) for name, spread in study.rule.items()},
+        **ladder,
+    }
+    return Result(payload, lambda: ladder)
 
 
 def _runs(request: Request) -> Runs:
@@ -119,40 +124,47 @@ def _described(run: Run, status: int = 200) -> Response:
     return Response(orjson.dumps(body), status, headers, "application/json")
 
 
-@router.post(
+@calls.post(
     "/tradeoff/runs",
     name="start_run",
     summary="Measure anew",
     status_code=202,
-    responses=told(answers.Run, 202) | refusals(403, 409, 422),
+    response_class=Response,
+    responses=document.told(answers.Run, 202) | document.refusals(403, 409, 422),
+    openapi_extra=document.asked(SceneQuery),
 )
-async def start(request: Request, query: Annotated[RunQuery, Query()]) -> Response:
+async def start(request: Request) -> Response:
     """Measure a scene anew, in the background."""
+    query = parameters(request, SceneQuery)
     run = _runs(request).start(query.scene)
     if run is None:
         raise HTTPException(409, "a measurement is under way; wait for it or cancel it")
     return _described(run, 202)
 
 
-@router.get(
+@calls.get(
     "/tradeoff/runs/{name}",
     name="run",
     summary="Progress and result",
-    responses=told(answers.Run) | refusals(403, 404, 422),
+    response_class=Response,
+    responses=document.told(answers.Run) | document.refusals(403, 404, 422),
 )
-async def progress(request: Request, name: RunName, _: Annotated[NoQuery, Query()]) -> Response:
+async def progress(request: Request, name: RunName) -> Response:
     """Return how far a measurement is, and its result when it is done."""
+    parameters(request, NoQuery)
     return _described(_run(request, name))
 
 
-@router.delete(
+@calls.delete(
     "/tradeoff/runs/{name}",
     name="cancel_run",
     summary="Cancel",
-    responses=told(answers.Run) | refusals(403, 404, 422),
+    response_class=Response,
+    responses=document.told(answers.Run) | document.refusals(403, 404, 422),
 )
-async def cancel(request: Request, name: RunName, _: Annotated[NoQuery, Query()]) -> Response:
+async def cancel(request: Request, name: RunName) -> Response:
     """Cancel a measurement; it stops after the row that it is at."""
+    parameters(request, NoQuery)
     run = _run(request, name)
     run.cancel()
     return _described(run)

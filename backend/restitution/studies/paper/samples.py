@@ -55,7 +55,7 @@ def steel(
 @functools.cache
 def mindlin_kappa() -> float:
     """Return κ of Mindlin's stiffness for the steel, whatever its size and speed."""
-    return scales(Contact(STEEL, STEEL, FRICTION, None), 1.0).kappa
+    return scales(Contact(STEEL, STEEL, FRICTION, "mindlin"), 1.0).kappa
 
 
 class Many(NamedTuple):

@@ -17,6 +17,7 @@ from restitution.mechanics.limits import stiff_estimate
 from restitution.mechanics.motion import motion, reversals, tangential_curves
 from restitution.mechanics.switching import MONOTONE_STIFFNESS
 from restitution.studies.bodies import Sphere
+from restitution.studies.impact import Velocities
 from restitution.studies.paper.equations import equation
 from restitution.studies.paper.item import Item, judged, number, scene, shown
 from restitution.studies.paper.samples import (
@@ -33,7 +34,7 @@ from restitution.studies.paper.samples import (
     steel,
 )
 from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 GOOD_ACCURACY = 0.05
 """What we take "in good accuracy by zero" to allow, for the paper does not say."""

@@ -10,6 +10,7 @@ from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.limits import coulomb_restitution
 from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.exact import known
+from restitution.studies.impact import Velocities
 from restitution.studies.paper.figures import FASTEST, SAME, steel_surface
 from restitution.studies.paper.item import Item, judged, number, scene, shown
 from restitution.studies.paper.samples import (
@@ -24,7 +25,7 @@ from restitution.studies.paper.samples import (
 )
 from restitution.studies.paper.sliding_claims import claim
 from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import Velocities, study_scaling
+from restitution.studies.spheres import study_scaling
 
 
 def resembles_coulomb() -> Item:

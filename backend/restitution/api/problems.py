@@ -1,8 +1,6 @@
 """Refusals: one table from error to status, one shape (RFC 9457) for all of them."""
 
 import http
-import math
-import reprlib
 from typing import Any
 
 import orjson
@@ -12,59 +10,20 @@ from starlette.requests import ClientDisconnect
 from starlette.routing import Match
 
 from restitution.api.admission import RETRY_AFTER, SaturatedError
-from restitution.api.fields import REQUIREMENTS
 from restitution.api.metrics import REFUSED
 from restitution.errors import CostError, ParameterError
 from restitution.interruption import InterruptionError
-
-LONGEST_ECHO = 200
-"""Characters of a refused value that are sent back."""
-
-MOST_ERRORS = 100
-"""Entries of a refusal; a refusal is for reading."""
+from restitution.wire.refusals import (
+    MOST_ERRORS,
+    MalformedBodyError,
+    RefusedParametersError,
+    as_received,
+    refusal,
+    sentences,
+)
 
 TITLES = {499: "Client Closed Request"}
 """Of statuses that no standard has."""
-
-UNKNOWN = "left out: this call has no such parameter"
-
-
-class RefusedParametersError(Exception):
-    """Several parameters are wrong at once; `errors` as in the answer."""
-
-    def __init__(self, errors: list[dict[str, Any]]) -> None:
-        super().__init__(f"{len(errors)} parameters")
-        self.errors = errors
-
-
-def as_received(value: object) -> object:
-    """Return a refused value in a form that JSON can hold."""
-    if value is None or isinstance(value, bool):
-        return value
-    if isinstance(value, float) and not math.isfinite(value):
-        return "NaN" if math.isnan(value) else ("Infinity" if value > 0 else "-Infinity")
-    if isinstance(value, float) or (isinstance(value, int) and abs(value) < 2**53):
-        return value
-    text = value if isinstance(value, str) else _json_text(value)
-    return text[:LONGEST_ECHO].encode("utf-8", "replace").decode()
-
-
-def _json_text(value: object) -> str:
-    """Return the JSON of a list or an object; Python's words for what JSON cannot hold."""
-    try:
-        return orjson.dumps(value).decode()
-    except TypeError:
-        # too deep, too large a number, or half a character
-        return reprlib.repr(value)
-
-
-def refusal(parameter: str, value: object, requirement: str) -> dict[str, Any]:
-    """Return one entry of `errors`."""
-    return {
-        "parameter": as_received(parameter),
-        "value": as_received(value),
-        "requirement": requirement,
-    }
 
 
 def problem(
@@ -87,42 +46,9 @@ def problem(
     )
 
 
-def _sentence(parameter: str, value: object, requirement: str) -> str:
-    if value is None:
-        return f"{parameter} is missing; it must be {requirement}"
-    return f"{parameter} must be {requirement}, got {value}"
-
-
-def sentences(errors: list[dict[str, Any]]) -> list[str]:
-    """Return a sentence for each of the first `MOST_ERRORS` wrong parameters."""
-    first = [_sentence(**error) for error in errors[:MOST_ERRORS]]
-    return [*first, "and more"] if len(errors) > MOST_ERRORS else first
-
-
 def refused(errors: list[dict[str, Any]]) -> Response:
     """Return the answer to wrong parameters."""
     return problem(422, "; ".join(sentences(errors)), errors[:MOST_ERRORS])
-
-
-def from_validation(found: list[Any]) -> list[dict[str, Any]]:
-    """Return the entries for errors found by pydantic."""
-    errors = []
-    for error in found:
-        where = [part for part in error["loc"] if part not in {"query", "body"}]
-        name = str(where[0]) if where else ""
-        element = len(where) > 1
-        match error["type"]:
-            case "extra_forbidden":
-                requirement = UNKNOWN
-            case "words":
-                requirement = f"a comma-separated choice of {error['ctx']['allowed']}"
-            case "word":
-                requirement = f"one of {error['ctx']['allowed']}"
-            case _:
-                requirement = REQUIREMENTS.get(f"{name}[]" if element else name, error["msg"])
-        value = None if error["type"] == "missing" else error["input"]
-        errors.append(refusal(f"{name}[{where[1]}]" if element else name, value, requirement))
-    return errors
 
 
 def _parameters(_: Request, error: Exception) -> Response:
@@ -133,6 +59,10 @@ def _parameters(_: Request, error: Exception) -> Response:
 def _parameter(_: Request, error: Exception) -> Response:
     assert isinstance(error, ParameterError)
     return refused([refusal(error.parameter, error.value, error.requirement)])
+
+
+def _malformed(_: Request, error: Exception) -> Response:
+    return problem(400, str(error))
 
 
 def _cost(_: Request, error: Exception) -> Response:
@@ -180,6 +110,7 @@ def _defect(_: Request, __: Exception) -> Response:
 HANDLERS = {
     RefusedParametersError: _parameters,
     ParameterError: _parameter,
+    MalformedBodyError: _malformed,
     CostError: _cost,
     SaturatedError: _saturated,
     InterruptionError: _interrupted,

@@ -1,33 +1,17 @@
-"""The forms of an answer: JSON, JSON with base64 arrays, CSV, NPZ; and its HTTP headers."""
+"""The forms of an answer: JSON, JSON with base64 arrays, CSV, NPZ, texts for other codes."""
 
 import dataclasses
-import functools
-import hashlib
 import io
-import itertools
-import time
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 import orjson
 import pybase64
-from fastapi import Request, Response
-from starlette.responses import StreamingResponse
 
-from restitution.api.admission import admission_of
-from restitution.api.arrays import read_body
-from restitution.api.metrics import COMPUTE, METHOD
-from restitution.api.schemas import FormQuery, NoQuery, TableQuery
-from restitution.api.transport import COMPRESSED
-from restitution.mechanics.compiled import fingerprint
 from restitution.studies.collision import Energy, Estimates, Sensitivity
-
-PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
-"""Changes with any source of the package, and so with any answer."""
 
 ROWS = 10_000
 """Of a table that are written at a time, and numbers of an array that are sent by themselves."""
@@ -61,95 +45,17 @@ class Result:
     texts: Mapping[str, Callable[[], str]] = dataclasses.field(default_factory=dict)
 
 
-async def respond(
-    request: Request,
-    query: FormQuery | NoQuery | TableQuery,
-    compute: Callable[[], Result],
-    version: str = PROGRAM_VERSION,
-    *,
-    quick: bool = False,
-) -> Response:
-    """Return the answer to `query` in its form, or 304 if the client has it already.
-
-    `version` stands for everything else that the answer depends on; `quick` says that computing
-    and writing it takes no more than some milliseconds.
-    """
-    tag = entity_tag(request.scope["path"], query, version)
-    headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    if known := known_tag(tag, request.headers.get("if-none-match", "")):
-        return Response(None, 304, headers | {"ETag": known})
-    work = functools.partial(_computed, request, query, compute, headers)
-    admission = admission_of(request)
-    # before that it might have to wait for a kernel to be compiled
-    if quick and request.app.state.warm.is_set():
-        return await admission.quickly(work)
-    return await admission.in_thread(request, work)
-
-
-async def respond_to_body(
-    request: Request, form: FormQuery, largest: int, compute: Callable[[bytes], Result]
-) -> Response:
-    """Return what `compute` makes of the JSON in the body, of at most `largest` bytes."""
-    body = await read_body(request, largest)
-    headers = {"Cache-Control": "no-store"}
-    work = functools.partial(_computed, request, form, lambda: compute(body), headers)
-    return await admission_of(request).in_thread(request, work)
-
-
-def _computed(
-    request: Request,
-    form: FormQuery | NoQuery | TableQuery,
-    compute: Callable[[], Result],
-    headers: dict[str, str],
-) -> Response:
-    """Return an answer in its form, with the time that computing it took."""
-    begin = time.perf_counter()
-    result = compute()
-    elapsed = time.perf_counter() - begin
-    COMPUTE.labels(request.scope["path"].rpartition("/")[2]).observe(elapsed)
-    if (method := result.payload.get("method")) is not None:
-        METHOD.labels(method if isinstance(method, str) else "list").inc()
-    headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"
-    return formed(result, form.format, form.encoding, headers)
-
-
-def known_tag(tag: str, header: str) -> str | None:
-    """Return `tag` as If-None-Match has it, compressed or not, None if it is not there."""
-    names = {name.strip().removeprefix("W/") for name in header.split(",")}
-    if compressed := {tag.removesuffix('"') + COMPRESSED} & names:
-        return compressed.pop()
-    return tag if names & {tag, "*"} else None
-
-
-def entity_tag(path: str, query: FormQuery | NoQuery | TableQuery, version: str) -> str:
-    """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
-    canonical = orjson.dumps([version, path, query.model_dump()], option=orjson.OPT_SORT_KEYS)
-    return f'"{hashlib.sha256(canonical).hexdigest()[:32]}"'
-
-
-def formed(
-    result: Result, form: str, encoding: str, headers: Mapping[str, str] | None = None
-) -> Response:
-    """Return `result` as a response."""
+def formed(result: Result, form: str, encoding: str = "plain") -> tuple[str, Iterator[bytes]]:
+    """Return the media type of `result` in a form, and its bytes block by block."""
     if form in result.texts:
-        content, kind = result.texts[form]().encode(), "text/plain; charset=utf-8"
-        return Response(content, 200, dict(headers or {}), kind)
+        return "text/plain; charset=utf-8", iter([result.texts[form]().encode()])
     match form:
         case "csv":
-            return _in_blocks(csv_blocks(result.table()), headers, "text/csv; charset=utf-8")
+            return "text/csv; charset=utf-8", csv_blocks(result.table())
         case "npz":
             arrays = result.arrays() if result.arrays else result.payload
-            return _in_blocks(npz_blocks(arrays), headers, "application/x-npz")
-    content = as_json(result.payload, encoding)
-    return Response(content, 200, dict(headers or {}), "application/json")
-
-
-def _in_blocks(blocks: Iterator[bytes], headers: Mapping[str, str] | None, kind: str) -> Response:
-    """Return an answer written block by block, in one piece if the second block is its last."""
-    first = list(itertools.islice(blocks, 3))
-    if len(first) < 3:
-        return Response(b"".join(first), 200, dict(headers or {}), kind)
-    return StreamingResponse(itertools.chain(first, blocks), 200, dict(headers or {}), kind)
+            return "application/x-npz", npz_blocks(arrays)
+    return "application/json", iter([as_json(result.payload, encoding)])
 
 
 def as_json(payload: Payload, encoding: str) -> bytes:

@@ -1,7 +1,7 @@
 """What an answer says, for the description of the service: nothing is checked by it at run time.
 
-Answers are bytes made from arrays (`forms`); tests hold them against these descriptions. A key that
-an answer may lack is `NotRequired`, a number that may not exist is null.
+Answers are bytes made from arrays (`formats`); tests hold them against these descriptions. A key
+that an answer may lack is `NotRequired`, a number that may not exist is null.
 """
 
 from typing import Annotated, Any, Literal, NotRequired
@@ -9,11 +9,14 @@ from typing import Annotated, Any, Literal, NotRequired
 from pydantic import Field
 from typing_extensions import TypedDict
 
-from restitution.api.request_bodies import Material
-from restitution.api.schemas import SceneName
+from restitution.methods.answer import Integrator
+from restitution.studies.bodies import Body, NotNegative, Positive
 from restitution.studies.collision import Episode, Sensitivity
+from restitution.studies.impact import Velocities
+from restitution.studies.materials import Measured
 from restitution.studies.paper import Item
 from restitution.studies.presets import Preset
+from restitution.studies.scenes import SceneName
 from restitution.studies.steps import Needed, Spread
 from restitution.studies.tradeoff import Measurement, Row
 from restitution.studies.validity import Caution
@@ -54,7 +57,7 @@ class Parameters(TypedDict):
     tolerance: float
     method: Literal["auto"] | Method
     steps: int
-    integrator: Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
+    integrator: Integrator
     phase: float
     rtol: float
     floor: float
@@ -246,6 +249,22 @@ class Paper(TypedDict):
     """The paper, statement by statement."""
 
     items: list[Item]
+
+
+class Material(TypedDict):
+    """A body of ``/scaling`` with a name; `measured` where impacts were."""
+
+    id: str
+    title: str
+    body_1: Body
+    body_2: Body
+    friction_coefficient: NotNegative
+    tangential_stiffness_n_per_m: Positive | Literal["mindlin"]
+    impact: Velocities
+    source: str
+    notes: Annotated[str, Field(description="what is not in the source")]
+    dissipative_constant_s: float
+    measured: NotRequired[Measured]
 
 
 class Materials(TypedDict):

@@ -4,17 +4,17 @@ A route names the model of its answer; headers, forms and refusals follow from t
 Nothing of this acts on a request.
 """
 
-from dataclasses import asdict
+from collections.abc import Mapping
 from importlib.metadata import version
-from typing import Any
+from typing import Any, Literal, get_args
 
 from fastapi import FastAPI
 from fastapi.routing import APIRoute
 from pydantic import TypeAdapter
 
-from restitution.api.answers import Problem
-from restitution.api.request_bodies import CollisionsBody, ScalingBody, VelocityMapBody
-from restitution.studies.materials import MATERIALS
+from restitution.bounds import Meaning, annotations, requirement, said
+from restitution.wire.answers import Problem
+from restitution.wire.reading import adapter
 
 Described = dict[int | str, dict[str, Any]]
 """Status → response, as the decorators of FastAPI take it."""
@@ -42,41 +42,6 @@ TAGS = [
     {"name": "presets", "description": "Collisions worth a look."},
     {"name": "service", "description": "What a supervisor asks."},
 ]
-
-COLLISION = {"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358}
-
-PARAMETERS: dict[str, dict[str, Any]] = {
-    "collision": COLLISION,
-    "trace": COLLISION,
-    "cut": {"along": "gt_over_gn", "kappa": 63, "mu_over_alpha": 1.4},
-    "map": {"mu_over_alpha": 1.4, "kappa_count": 20, "gt_over_gn_count": 15},
-    "table": {"kappa_count": 20, "psi_count": 15},
-    "steps": COLLISION,
-    "tradeoff": {"scene": "figure4"},
-}
-"""Operation → parameters that together make a request."""
-
-
-def _bodies() -> dict[str, tuple[str, dict[str, Any]]]:
-    """Return operation → name of the schema of its body, and a body."""
-    material = asdict(MATERIALS[0])
-    contact = {
-        name: material[name]
-        for name in ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
-    }
-    velocities = {
-        "normal_velocity_m_s": {"min": 1, "max": 200, "count": 20, "scale": "linear"},
-        "tangential_velocity_m_s": {"min": 0, "max": 200, "count": 15, "scale": "linear"},
-    }
-    many = {"kappa": [18, 63], "mu_over_alpha": 1.4, "gt_over_gn": [0.4, 1.358]}
-    return {
-        "collisions": ("CollisionsBody", many),
-        "scaling": ("ScalingBody", contact | {"impact": material["impact"]}),
-        "velocity_map": (
-            "VelocityMapBody",
-            contact | velocities | {"quantities": ["epsilon_t", "coulomb"], "tolerance": 4e-3},
-        ),
-    }
 
 
 def _header(description: str, pattern: str, *, required: bool = True) -> dict[str, Any]:
@@ -127,35 +92,39 @@ def refusals(*statuses: int) -> Described:
 
 
 JSON = "application/json"
-TABLE: dict[str, Any] = {
-    "text/csv; charset=utf-8": {"schema": {"type": "string"}},
-    "application/x-npz": {},
+TEXT: dict[str, Any] = {"schema": {"type": "string"}}
+FORMS: dict[str, dict[str, Any]] = {
+    "csv": {"text/csv; charset=utf-8": TEXT},
+    "npz": {"application/x-npz": {}},
+    "c": {"text/plain; charset=utf-8": TEXT},
+    "python": {"text/plain; charset=utf-8": TEXT},
 }
-TEXT: dict[str, Any] = {"text/plain; charset=utf-8": {"schema": {"type": "string"}}}
+"""Form of an answer beside JSON → its content."""
 
 
-def computed(model: Any) -> Described:
-    """Return the responses of a GET that computes `model`, in all its forms."""
-    return stored(model) | refusals(413, 503) | {200: _success(model, TABLE, CACHED | TIMED)}
+def _contents(forms: tuple[str, ...]) -> dict[str, Any]:
+    return {kind: of for form in forms for kind, of in FORMS.get(form, {}).items()}
 
 
-def exported() -> Described:
-    """Return the responses of a GET that computes a table for other codes."""
-    return stored(None) | refusals(413, 503) | {200: _success(None, TABLE | TEXT, CACHED | TIMED)}
+def computed(query: type, answer: Any) -> Described:
+    """Return the responses of a GET that computes `answer`, or texts for other codes if None."""
+    return stored(query, answer) | refusals(413, 503)
 
 
-def stored(model: Any, *, forms: bool = False) -> Described:
-    """Return the responses of a GET of what is at hand, in JSON or in all `forms`."""
+def stored(query: type, answer: Any) -> Described:
+    """Return the responses of a GET, in all the forms that its query may ask for."""
+    forms = get_args(annotations(query).get("format", Literal["json"]))
     found = {
-        200: _success(model, TABLE if forms else {}, CACHED | TIMED),
+        200: _success(answer, _contents(forms), CACHED | TIMED),
         304: {"$ref": "#/components/responses/Unchanged"},
     }
     return found | refusals(422)
 
 
-def posted(model: Any) -> Described:
+def posted(answer: Any) -> Described:
     """Return the responses of a POST whose body is JSON, in all their forms."""
-    return {200: _success(model, TABLE, NOT_KEPT | TIMED)} | refusals(400, 408, 413, 415, 422, 503)
+    success = _success(answer, _contents(("csv", "npz")), NOT_KEPT | TIMED)
+    return {200: success} | refusals(400, 408, 413, 415, 422, 503)
 
 
 def told(model: Any, status: int = 200) -> Described:
@@ -187,42 +156,78 @@ def _operation_id(route: APIRoute) -> str:
     return route.name
 
 
-def install(app: FastAPI) -> None:
-    """Let the document of `app` have what decorators do not say."""
+def asked(query: type, example: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    """Return what an operation says of its parameters; those that it needs stand first."""
+    schema = adapter(query).json_schema()
+    needed = schema.get("required", [])
+    found = [
+        _parameter(name, annotation, schema["properties"][name], is_needed=name in needed)
+        | ({"example": example[name]} if example and name in example else {})
+        for name, annotation in annotations(query).items()
+    ]
+    return {"parameters": sorted(found, key=lambda parameter: not parameter["required"])}
+
+
+def _parameter(
+    name: str, annotation: Any, schema: dict[str, Any], *, is_needed: bool
+) -> dict[str, Any]:
+    """Return a parameter of a query as a reader needs it."""
+    schema.pop("title", None)
+    # an optional parameter is left out, there is no null in a query
+    kinds = [kind for kind in schema.get("anyOf", []) if kind != {"type": "null"}]
+    if len(kinds) == 1:
+        schema |= kinds[0]
+        del schema["anyOf"]
+    if schema.get("default", ...) is None:
+        del schema["default"]
+    meaning = said(annotation, Meaning)
+    words = requirement(annotation)
+    description = f"{meaning.text}: {words}" if meaning else words
+    schema.pop("description", None)
+    if schema["type"] == "number" and "e-" in repr(schema.get("default")):
+        # Swagger UI takes 1e-10 for no number and would refuse to send its own default
+        description += f"; {schema.pop('default'):g} if left out"
+    return {
+        "name": name,
+        "in": "query",
+        "required": is_needed,
+        "schema": schema,
+        "description": description,
+    }
+
+
+def sent(body: type, example: Mapping[str, Any], form: type) -> dict[str, Any]:
+    """Return what an operation says of its body, and of its parameters: those of a form."""
+    schema = {"$ref": f"#/components/schemas/{body.__name__}"}
+    content = {JSON: {"schema": schema, "example": dict(example)}}
+    return asked(form) | {"requestBody": {"required": True, "content": content}}
+
+
+def install(app: FastAPI, bodies: list[type]) -> None:
+    """Let the document of `app` have what decorators do not say, and the schemas of `bodies`."""
     described = app.openapi
 
     def openapi() -> dict[str, Any]:
         if app.openapi_schema is None:
-            _complete(described())
+            _complete(described(), bodies)
         assert app.openapi_schema is not None
         return app.openapi_schema
 
     app.openapi = openapi  # type: ignore[method-assign] # as FastAPI's manual has it
 
 
-def _complete(document: dict[str, Any]) -> None:
-    bodies = _bodies()
+def _complete(document: dict[str, Any], bodies: list[type]) -> None:
     for operations in document["paths"].values():
         for operation in operations.values():
-            name = operation["operationId"]
-            examples = PARAMETERS.get(name, {})
-            for parameter in operation.get("parameters", []):
-                _describe_parameter(parameter)
-                if parameter["name"] in examples:
-                    parameter["example"] = examples[parameter["name"]]
-            # those that a request needs stand first
-            operation.get("parameters", []).sort(key=lambda parameter: not parameter["required"])
             if "304" in operation["responses"]:
                 known = {"$ref": "#/components/parameters/IfNoneMatch"}
                 operation.setdefault("parameters", []).append(known)
-            if name in bodies:
-                operation["requestBody"] = _request_body(*bodies[name])
             for response in operation["responses"].values():
                 if "$ref" in response:
                     # FastAPI's own words beside it
                     response.pop("description", None)
     components = document["components"]
-    components["schemas"] |= _schemas(Problem, CollisionsBody, ScalingBody, VelocityMapBody)
+    components["schemas"] |= _schemas(Problem, *bodies)
     components["parameters"] = {"IfNoneMatch": IF_NONE_MATCH}
     components["headers"] = HEADERS
     components["responses"] = _responses()
@@ -236,22 +241,6 @@ IF_NONE_MATCH = {
 }
 
 
-def _describe_parameter(parameter: dict[str, Any]) -> None:
-    """Put the schema of a parameter of a query as a reader needs it."""
-    schema = parameter["schema"]
-    schema.pop("title", None)
-    # an optional parameter is left out, there is no null in a query
-    kinds = [kind for kind in schema.get("anyOf", []) if kind != {"type": "null"}]
-    if len(kinds) == 1:
-        schema |= kinds[0]
-        del schema["anyOf"]
-    description = schema.pop("description", "") or parameter["description"]
-    if schema["type"] == "number" and "e-" in repr(schema.get("default")):
-        # Swagger UI takes 1e-10 for no number and would refuse to send its own default
-        description += f"; {schema.pop('default'):g} if left out"
-    parameter["description"] = description
-
-
 def _schemas(*models: Any) -> dict[str, Any]:
     """Return the schemas of what no route names as its answer, with all that they refer to."""
     _, found = TypeAdapter.json_schemas(
@@ -260,11 +249,6 @@ def _schemas(*models: Any) -> dict[str, Any]:
     )
     schemas: dict[str, Any] = found["$defs"]
     return schemas
-
-
-def _request_body(name: str, example: dict[str, Any]) -> dict[str, Any]:
-    schema = {"$ref": f"#/components/schemas/{name}"}
-    return {"required": True, "content": {JSON: {"schema": schema, "example": example}}}
 
 
 def _responses() -> dict[str, Any]:

@@ -1,0 +1,263 @@
+"""A call of the service, declared once: what is read, what is computed, what is answered.
+
+A route is a function from what was read to a `Result`. Reading, admission, entity tags, the form
+of the answer, its headers and its description follow from the declaration.
+"""
+
+import asyncio
+import functools
+import hashlib
+import itertools
+import time
+from collections.abc import Callable, Coroutine, Iterator, Mapping
+from pathlib import Path
+from typing import Any, TypeVar
+
+import orjson
+from fastapi import APIRouter, Request, Response
+from fastapi.routing import APIRoute
+from starlette.exceptions import HTTPException
+from starlette.responses import StreamingResponse
+
+from restitution.api import document
+from restitution.api.admission import admission_of
+from restitution.api.metrics import COMPUTE, METHOD
+from restitution.api.transport import known_tag
+from restitution.bounds import annotations
+from restitution.mechanics.compiled import fingerprint
+from restitution.wire.formats import Result, formed
+from restitution.wire.queries import FormQuery
+from restitution.wire.reading import read_object, read_query
+
+PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
+"""Changes with any source of the package, and so with any answer."""
+
+LARGEST_BODY = 2 * 2**20
+
+LONGEST_UPLOAD = 60.0
+"""Seconds until a body must be there: 40 MiB at 6 Mbit/s."""
+
+Asked = TypeVar("Asked")
+Compute = Callable[[Asked], Result]
+
+
+class CallRoute(APIRoute):
+    """A route whose function takes the request as it is: FastAPI's own way to it takes 0.1 ms."""
+
+    def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
+        """Return what answers a request."""
+
+        async def handle(request: Request) -> Response:
+            response: Response = await self.endpoint(request, **request.path_params)
+            return response
+
+        return handle
+
+
+class Calls(APIRouter):
+    """Routes of one subject, under the address of this version of the interface."""
+
+    def __init__(self, tag: str) -> None:
+        super().__init__(prefix="/api/v1", tags=[tag], route_class=CallRoute)
+        self.bodies: list[type] = []
+
+    def computed(
+        self,
+        path: str,
+        query: type[Asked],
+        answer: Any,
+        summary: str,
+        *,
+        example: Mapping[str, Any] | None = None,
+        limit: Callable[[Asked], None] | None = None,
+        quick: Callable[[Asked], bool] = lambda _: False,
+    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
+        """Declare a GET.
+
+        Parameters
+        ----------
+        path : str
+            Below ``/api/v1``.
+        query : type
+            Dataclass of its parameters.
+        answer : type, optional
+            What is answered, for the document; None for texts alone.
+        summary : str
+            In a few words.
+        example : mapping, optional
+            Parameters that together make a request.
+        limit : callable, optional
+            Raises `CostError` for what is refused before it waits for its turn.
+        quick : callable, optional
+            Whether computing and writing the answer takes no more than some milliseconds.
+        """
+
+        def declare(compute: Compute[Asked]) -> Compute[Asked]:
+            async def endpoint(request: Request) -> Response:
+                asked = parameters(request, query)
+                if limit:
+                    limit(asked)
+                work = functools.partial(compute, asked)
+                return await respond(request, asked, work, quick=quick(asked))
+
+            responses = document.computed(query, answer)
+            self._add(
+                "GET", path, endpoint, compute, summary, responses, document.asked(query, example)
+            )
+            return compute
+
+        return declare
+
+    def stored(
+        self, path: str, query: type[Asked], answer: Any, summary: str
+    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
+        """Declare a GET of what is at hand."""
+
+        def declare(compute: Compute[Asked]) -> Compute[Asked]:
+            async def endpoint(request: Request) -> Response:
+                asked = parameters(request, query)
+                return await respond(request, asked, functools.partial(compute, asked), quick=True)
+
+            responses = document.stored(query, answer)
+            self._add("GET", path, endpoint, compute, summary, responses, document.asked(query))
+            return compute
+
+        return declare
+
+    def posted(
+        self,
+        path: str,
+        body: type[Asked],
+        answer: Any,
+        summary: str,
+        *,
+        example: Mapping[str, Any],
+        largest: int = LARGEST_BODY,
+        read: Callable[[bytes], Asked] | None = None,
+    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
+        """Declare a POST of JSON of at most `largest` bytes; `read` where it has a reader."""
+        reader = read or functools.partial(read_object, body)
+
+        def declare(compute: Compute[Asked]) -> Compute[Asked]:
+            async def endpoint(request: Request) -> Response:
+                form = parameters(request, FormQuery)
+                text = await _body(request, largest)
+                work = functools.partial(
+                    _computed,
+                    request,
+                    form,
+                    lambda: compute(reader(text)),
+                    {"Cache-Control": "no-store"},
+                )
+                return await admission_of(request).in_thread(request, work)
+
+            self.bodies.append(body)
+            responses, asked = document.posted(answer), document.sent(body, example, FormQuery)
+            self._add("POST", path, endpoint, compute, summary, responses, asked)
+            return compute
+
+        return declare
+
+    def _add(
+        self,
+        method: str,
+        path: str,
+        endpoint: Callable[..., Any],
+        compute: Callable[..., Any],
+        summary: str,
+        responses: document.Described,
+        asked: dict[str, Any],
+    ) -> None:
+        self.add_api_route(
+            path,
+            endpoint,
+            methods=[method],
+            name=compute.__name__,
+            summary=summary,
+            description=compute.__doc__,
+            response_class=Response,
+            responses=responses,
+            openapi_extra=asked,
+        )
+
+
+def parameters(request: Request, query: type[Asked]) -> Asked:
+    """Return the parameters of a request; `RefusedParametersError` names all that is wrong."""
+    return read_query(query, request.query_params.multi_items())
+
+
+async def respond(
+    request: Request,
+    query: Any,
+    compute: Callable[[], Result],
+    version: str = PROGRAM_VERSION,
+    *,
+    quick: bool = False,
+) -> Response:
+    """Return the answer to `query` in its form, or 304 if the client has it already.
+
+    `version` stands for everything else that the answer depends on.
+    """
+    tag = entity_tag(request.scope["path"], query, version)
+    headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
+    if known := known_tag(tag, request.headers.get("if-none-match", "")):
+        return Response(None, 304, headers | {"ETag": known})
+    work = functools.partial(_computed, request, query, compute, headers)
+    admission = admission_of(request)
+    # before that it might have to wait for a kernel to be compiled
+    if quick and request.app.state.warm.is_set():
+        return await admission.quickly(work)
+    return await admission.in_thread(request, work)
+
+
+def entity_tag(path: str, query: Any, version: str) -> str:
+    """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
+    asked = {name: getattr(query, name) for name in annotations(type(query))}
+    canonical = orjson.dumps([version, path, asked], option=orjson.OPT_SORT_KEYS)
+    return f'"{hashlib.sha256(canonical).hexdigest()[:32]}"'
+
+
+def _computed(
+    request: Request, query: Any, compute: Callable[[], Result], headers: dict[str, str]
+) -> Response:
+    """Return an answer in its form, with the time that computing it took."""
+    begin = time.perf_counter()
+    result = compute()
+    elapsed = time.perf_counter() - begin
+    COMPUTE.labels(request.scope["path"].rpartition("/")[2]).observe(elapsed)
+    if (method := result.payload.get("method")) is not None:
+        METHOD.labels(method if isinstance(method, str) else "list").inc()
+    headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"
+    form = getattr(query, "format", "json"), getattr(query, "encoding", "plain")
+    return _in_blocks(*formed(result, *form), headers)
+
+
+def _in_blocks(kind: str, blocks: Iterator[bytes], headers: Mapping[str, str]) -> Response:
+    """Return an answer written block by block, in one piece if the second block is its last."""
+    first = list(itertools.islice(blocks, 3))
+    if len(first) < 3:
+        return Response(b"".join(first), 200, dict(headers), kind)
+    return StreamingResponse(itertools.chain(first, blocks), 200, dict(headers), kind)
+
+
+async def _body(request: Request, largest: int) -> bytes:
+    """Return the body of a request.
+
+    Raises
+    ------
+    HTTPException
+        415 for another content type, 413 for too much, 408 for one that does not come.
+    """
+    kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
+    if kind != "application/json":
+        raise HTTPException(415, "the body must be application/json")
+    body = bytearray()
+    try:
+        async with asyncio.timeout(LONGEST_UPLOAD):
+            async for chunk in request.stream():
+                body += chunk
+                if len(body) > largest:
+                    raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+    except TimeoutError as error:
+        raise HTTPException(408, f"the body took longer than {LONGEST_UPLOAD:g} s") from error
+    return bytes(body)

@@ -1,0 +1,254 @@
+"""What a value may be, said once: by the annotation of its field.
+
+`Annotated[float, Gt(0)]` is checked when an object is made (`checked`), read by pydantic when it
+comes in a request (`wire.reading`), described in documents; the words of a refusal follow from it.
+"""
+
+import builtins
+import functools
+import math
+import sys
+import typing
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from numbers import Real
+from types import NoneType, UnionType
+from typing import (
+    Annotated,
+    Any,
+    Literal,
+    NamedTuple,
+    TypeVar,
+    Union,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+import annotated_types as at
+
+from restitution.errors import ParameterError
+
+Misfit = tuple[str, str]
+"""A member and what holds for it beside the others."""
+
+Kind = TypeVar("Kind")
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a field is, for documents; its bounds are said beside it."""
+
+    text: str
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
+        """Let schemas say it."""
+        return handler(schema) | {"description": self.text}
+
+
+@dataclass(frozen=True)
+class Words:
+    """What a value must be, where bounds do not say it well."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Choice:
+    """Which class of a union an object of JSON is meant for."""
+
+    of: Callable[[Mapping[str, Any]], type]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Let pydantic read that class alone, instead of complaining about all of them."""
+        from pydantic_core import core_schema  # noqa: PLC0415 - only pydantic asks
+
+        return core_schema.tagged_union_schema(
+            {part.__name__: handler.generate_schema(part) for part in get_args(source)},
+            discriminator=lambda value: self.among(source, value).__name__,
+        )
+
+    def among(self, union: Any, value: object) -> type:
+        """Return the class that a value is meant for."""
+        if type(value) in get_args(union):
+            return type(value)
+        return self.of(value if isinstance(value, Mapping) else {})
+
+
+def members(annotation: Any) -> tuple[Any, ...]:
+    """Return the alternatives of a union but None, any other annotation alone."""
+    bare = plain(annotation)
+    if get_origin(bare) in (Union, UnionType):
+        return tuple(part for part in get_args(bare) if part is not NoneType)
+    return (annotation,)
+
+
+def plain(annotation: Any) -> Any:
+    """Return an annotation without its bounds."""
+    return get_args(annotation)[0] if get_origin(annotation) is Annotated else annotation
+
+
+def said(annotation: Any, kind: type[Kind]) -> Kind | None:
+    """Return what an annotation, or the only alternative to None in it, says of a `kind`."""
+    for part in (annotation, *members(annotation)):
+        if get_origin(part) is Annotated:
+            for item in get_args(part)[1:]:
+                if isinstance(item, kind):
+                    return item
+    return None
+
+
+def requirement(annotation: Any) -> str:
+    """Return what holds for allowed values, to stand after "must be"."""
+    if own := said(annotation, Words):
+        return own.text
+    parts = members(annotation)
+    if len(parts) > 1 and not any(map(is_dataclass, parts)):
+        return ", or ".join(requirement(part) for part in parts)
+    kind = plain(parts[0])
+    match get_origin(kind):
+        case typing.Literal:
+            words = choice(get_args(kind))
+        case builtins.list:
+            words = f"a list, not empty, of {', '.join(get_args(plain(get_args(kind)[0])))}"
+        case builtins.tuple:
+            words = "three finite numbers"
+        case _:
+            words = "an object" if is_dataclass(kind) else _range(kind, _bounds(parts[0]))
+    return words
+
+
+def choice(words: tuple[Any, ...]) -> str:
+    """Return some words as a choice."""
+    texts = [str(word).lower() if isinstance(word, bool) else str(word) for word in words]
+    return " or ".join(texts) if len(texts) <= 2 else f"one of {', '.join(texts)}"
+
+
+def _bounds(annotation: Any) -> tuple[Any, ...]:
+    items = get_args(annotation)[1:] if get_origin(annotation) is Annotated else ()
+    return tuple(item for item in items if isinstance(item, at.Gt | at.Ge | at.Le))
+
+
+def _range(kind: type, bounds: tuple[Any, ...]) -> str:
+    match bounds:
+        case (at.Ge(ge=low), at.Le(le=high)):
+            return (
+                f"an integer from {low:,} to {high:,}"
+                if kind is int
+                else f"from {low:g} to {high:g}"
+            )
+        case (at.Gt(gt=low), at.Le(le=high)):
+            return f"> {low:g} and ≤ {high:g}"
+        case (at.Ge(ge=low),):
+            return f"an integer ≥ {low}" if kind is int else f"finite and ≥ {low:g}"
+        case (at.Gt(gt=low),):
+            return f"finite and > {low:g}"
+    return "a finite number" if kind is float else "a text"
+
+
+def interval(annotation: Any) -> tuple[float, float]:
+    """Return the least and the largest number that is allowed: finite for a float."""
+    most = math.inf if plain(annotation) is int else sys.float_info.max
+    low, high = -most, most
+    for bound in _bounds(annotation):
+        match bound:
+            case at.Ge(ge=least):
+                low = least  # type: ignore[assignment] # of numbers only
+            case at.Gt(gt=below):
+                low = math.nextafter(below, math.inf)  # type: ignore[arg-type]
+            case at.Le(le=largest):
+                high = largest  # type: ignore[assignment]
+    return low, high
+
+
+def annotations(of: Any) -> dict[str, Any]:
+    """Return the members that a dataclass is made of, annotated as they are."""
+    return _annotations(of)
+
+
+@functools.cache
+def _annotations(of: Any) -> dict[str, Any]:
+    hints = get_type_hints(of, include_extras=True)
+    return {member.name: hints[member.name] for member in fields(of) if member.init}
+
+
+class _Rule(NamedTuple):
+    """What a field may hold: numbers of a kind from `low` to `high`, or words, or a vector."""
+
+    name: str
+    annotation: Any
+    kind: type | None
+    low: float
+    high: float
+    words: tuple[Any, ...]
+    is_vector: bool
+
+
+@functools.cache
+def _rules(of: Any) -> list[_Rule]:
+    """Return the rules of the fields that have one; those of objects are kept by themselves."""
+    rules = []
+    for name, annotation in annotations(of).items():
+        parts = members(annotation)
+        kinds = [plain(part) for part in parts]
+        words = tuple(
+            word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)
+        )
+        number = next((kind for kind in kinds if kind in (float, int)), None)
+        is_vector = get_origin(kinds[0]) is tuple
+        if any(map(is_dataclass, kinds)) or not (words or number or is_vector):
+            continue
+        if NoneType in get_args(plain(annotation)):
+            words = (*words, None)
+        rules.append(_Rule(name, annotation, number, *interval(parts[0]), words, is_vector))
+    return rules
+
+
+def _settle(made: Any) -> None:
+    """Refuse what is out of bounds; make numbers of their kind, −0 the 0 that it equals."""
+    cls: Any = type(made)
+    for name, annotation, kind, low, high, words, is_vector in _rules(cls):
+        value: Any = getattr(made, name)
+        is_of_kind = type(value) is kind
+        # of −0 the sign is to go
+        if is_of_kind and low <= value <= high and (value or math.copysign(1, value) > 0):
+            continue
+        if is_vector and len(value) == 3 and all(map(_is_number, value)):
+            object.__setattr__(made, name, tuple(map(float, value)))
+        elif kind and _is_number(value) and low <= value <= high and kind(value) == value:
+            object.__setattr__(made, name, kind(value) + kind(0))
+        elif value not in words:
+            raise ParameterError(name, value, requirement(annotation))
+
+
+def _is_number(value: object) -> bool:
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return False
+    return abs(value) <= sys.float_info.max  # type: ignore[operator]
+
+
+def _settle_and_fit(made: Any) -> None:
+    _settle(made)
+    if rules := getattr(made, "misfits", None):
+        given = {name: value for name, value in vars(made).items() if value is not None}
+        for name, words in rules(given):
+            raise ParameterError(name, given.get(name), words)
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
+def closed(cls: type[Kind]) -> type[Kind]:
+    """Make a frozen dataclass of keywords that checks its numbers; JSON may have no other keys."""
+    return _made(cls, _settle, kw_only=True)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def checked(cls: type[Kind]) -> type[Kind]:
+    """Make one whose members may be given in order, and must suit each other by its `misfits`."""
+    return _made(cls, _settle_and_fit, kw_only=False)
+
+
+def _made(cls: type[Kind], check: Callable[[Any], None], *, kw_only: bool) -> type[Kind]:
+    cls.__post_init__ = check  # type: ignore[attr-defined] # as dataclasses have it
+    cls.__pydantic_config__ = {"extra": "forbid", "allow_inf_nan": False}  # type: ignore[attr-defined]
+    return dataclass(frozen=True, kw_only=kw_only)(cls)

@@ -1,0 +1,350 @@
+"""What a query may say, call by call."""
+
+import functools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import fields
+from typing import Annotated, Any, Literal, TypeVar
+
+from annotated_types import Ge, Gt, Le
+from pydantic_core import PydanticCustomError, core_schema
+
+from restitution.bounds import Meaning, Misfit, Words, annotations, closed
+from restitution.mechanics.viscoelastic import MOST_DAMPING
+from restitution.methods.answer import Damping, Options
+from restitution.methods.planner import is_quick
+from restitution.studies import batch, collision, trace
+from restitution.studies.axis import Axis, Scale
+from restitution.studies.parameters import CollisionParameters, GtOverGn, Kappa, MuOverAlpha
+from restitution.studies.scenes import SceneName
+from restitution.studies.table_grid import Sign
+from restitution.wire.ranges import Range, as_number
+
+Part = TypeVar("Part")
+
+
+def part(whole: Any, of: type[Part]) -> Part:
+    """Return the members of `whole` that make an object `of` its own."""
+    return of(**{each.name: getattr(whole, each.name) for each in fields(of) if each.init})  # type: ignore[arg-type]
+
+
+class Several(Words):
+    """A comma-separated choice of words."""
+
+    def __init__(self, *allowed: str) -> None:
+        super().__init__(f"a comma-separated choice of {', '.join(allowed)}")
+        self.__dict__["allowed"] = allowed
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
+        """Let pydantic refuse other words."""
+        allowed = set(self.__dict__["allowed"])
+
+        def check(text: str) -> str:
+            if not set(text.split(",")) <= allowed:
+                raise PydanticCustomError("words", "not a choice")
+            return text
+
+        return core_schema.no_info_after_validator_function(check, handler(source))
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
+        """Describe the choice as a pattern."""
+        word = f"({'|'.join(self.__dict__['allowed'])})"
+        return handler(schema) | {"pattern": f"^{word}(,{word})*$"}
+
+
+@closed
+class NoQuery:
+    """A call without parameters."""
+
+
+@closed
+class FormQuery:
+    """The form of an answer."""
+
+    format: Literal["json", "csv", "npz"] = "json"
+    encoding: Annotated[
+        Literal["plain", "base64"],
+        Words("base64, or plain for lists"),
+        Meaning("form of arrays in JSON"),
+    ] = "plain"
+
+
+@closed
+class ComputedQuery(Options, FormQuery):
+    """A request for quantities, the way to them and their form."""
+
+    quantities: str = ""
+
+    @functools.cached_property
+    def options(self) -> Options:
+        """What the methods take of it."""
+        return part(self, Options)
+
+    @property
+    def wanted(self) -> tuple[str, ...]:
+        """The quantities asked for."""
+        return tuple(self.quantities.split(","))
+
+
+@closed
+class CollisionQuery(ComputedQuery):
+    """``GET /collision``."""
+
+    quantities: Annotated[str, Several(*collision.QUANTITIES)] = ",".join(collision.QUANTITIES)
+    kappa: Kappa
+    mu_over_alpha: MuOverAlpha
+    gt_over_gn: GtOverGn
+    episode_limit: Annotated[int, Ge(0), Le(10_000)] = 200
+
+    @functools.cached_property
+    def parameters(self) -> CollisionParameters:
+        """The collision itself."""
+        return part(self, CollisionParameters)
+
+    @property
+    def is_quick(self) -> bool:
+        """Whether it is computed in some milliseconds."""
+        return is_quick(self.kappa, self.parameters.psi, self.options)
+
+
+@closed
+class TraceQuery(CollisionQuery):
+    """``GET /trace``."""
+
+    quantities: Annotated[str, Several(*trace.COLUMNS)] = ",".join(trace.COLUMNS)
+    samples: Annotated[int, Ge(2), Le(20_000)] = 400
+
+
+BatchQuantities = Annotated[str, Several(*batch.QUANTITIES)]
+
+CUTS = {
+    "kappa": Range("minimum", "maximum", "scale", (0.1, 70.0), positive=True),
+    "gt_over_gn": Range("minimum", "maximum", "scale", (0.01, 4.0), positive=False),
+}
+
+
+@closed
+class CutQuery(ComputedQuery):
+    """``GET /cut``; the ends have defaults that depend on `along`."""
+
+    quantities: BatchQuantities = "epsilon_t,switches"
+    along: Literal["gt_over_gn", "kappa"]
+    mu_over_alpha: MuOverAlpha
+    kappa: Kappa | None = None
+    gt_over_gn: GtOverGn | None = None
+    minimum: Annotated[float, Ge(0)] | None = None
+    maximum: Annotated[float, Gt(0)] | None = None
+    count: Annotated[int, Ge(2), Le(100_000)] = 400
+    scale: Scale = "linear"
+
+    @staticmethod
+    def fill(given: Mapping[str, str]) -> dict[str, Any]:
+        """Return the ends where they are not given."""
+        if (along := given.get("along")) not in CUTS:
+            return {}
+        low, high = CUTS[along].default
+        return {"minimum": low, "maximum": high}
+
+    @staticmethod
+    def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+        """Yield what is wrong with the parameters beside each other."""
+        along = given.get("along")
+        if along not in CUTS:
+            return
+        if along in given:
+            yield along, "left out, as `along` names it"
+        for other in CUTS.keys() - {along} - given.keys():
+            yield other, "given, as `along` is the other one"
+        yield from CUTS[along].misfits(given)
+
+    @property
+    def axis(self) -> Axis:
+        """The values along the cut."""
+        assert self.minimum is not None
+        assert self.maximum is not None
+        return Axis(self.minimum, self.maximum, self.count, self.scale)
+
+
+KAPPAS = Range("kappa_min", "kappa_max", "kappa_scale", (0.1, 70.0), positive=True)
+TANGENTIAL = Range(
+    "gt_over_gn_min", "gt_over_gn_max", "gt_over_gn_scale", (0.01, 4.0), positive=False
+)
+PSIS = Range("psi_min", "psi_max", "psi_scale", (0.01, 4.0), positive=False)
+DAMPINGS = Range("damping_min", "damping_max", "damping_scale", (0.0, math.inf), positive=False)
+"""The optional third axis of a table; its maximum asks for it."""
+
+Count = Annotated[int, Ge(2)]
+
+
+@closed
+class KappaEdge:
+    """κ along the edge of a map or table."""
+
+    kappa_min: Annotated[float, Gt(0), Meaning("kappa at an edge of the map")] = KAPPAS.default[0]
+    kappa_max: Annotated[float, Gt(0), Meaning("kappa at an edge of the map")] = KAPPAS.default[1]
+    kappa_count: Count = 200
+    kappa_scale: Scale = "linear"
+
+    @property
+    def kappa_axis(self) -> Axis:
+        """The values of κ."""
+        return _edge(self, "kappa_")
+
+
+def _edge(query: Any, prefix: str) -> Axis:
+    """Return the axis that four parameters describe."""
+    low, high, count, scale = (
+        getattr(query, prefix + name) for name in ("min", "max", "count", "scale")
+    )
+    return Axis(low, high, count, scale, prefix, ("min", "max"))
+
+
+TangentialEdge = Meaning("gt_over_gn at an edge of the map")
+
+
+@closed
+class MapQuery(KappaEdge, ComputedQuery):
+    """``GET /map``."""
+
+    quantities: BatchQuantities = "epsilon_t,switches"
+    mu_over_alpha: MuOverAlpha
+    gt_over_gn_min: Annotated[float, Ge(0), TangentialEdge] = TANGENTIAL.default[0]
+    gt_over_gn_max: Annotated[float, Gt(0), TangentialEdge] = TANGENTIAL.default[1]
+    gt_over_gn_count: Count = 150
+    gt_over_gn_scale: Scale = "linear"
+
+    @staticmethod
+    def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+        """Yield what is wrong with the edges."""
+        yield from KAPPAS.misfits(given)
+        yield from TANGENTIAL.misfits(given)
+
+    @property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The edges: κ and g_t/g_n."""
+        return self.kappa_axis, _edge(self, "gt_over_gn_")
+
+
+TABLE_FORMATS = ("csv", "npz", "c", "python")
+
+WantedError = Annotated[float, Ge(1e-12), Le(1), Meaning("largest error wanted")]
+PsiEdge = Meaning("psi at an edge of the map")
+DampingEdge = Meaning("damping at an edge of the map")
+
+
+@closed
+class TableQuery(KappaEdge):
+    """``GET /table``; the error wanted, or else counts."""
+
+    psi_min: Annotated[float, Ge(0), PsiEdge] = PSIS.default[0]
+    psi_max: Annotated[float, Gt(0), PsiEdge] = PSIS.default[1]
+    psi_count: Count = 150
+    psi_scale: Scale = "linear"
+    damping: Damping = 0.0
+    damping_min: Annotated[float, Ge(0), Le(MOST_DAMPING), DampingEdge] = 0.0
+    damping_max: Annotated[float, Gt(0), Le(MOST_DAMPING), DampingEdge] | None = None
+    damping_count: Count = 10
+    damping_scale: Scale = "linear"
+    error: WantedError | None = None
+    sign: Sign = "paper"
+    format: Literal["csv", "npz", "c", "python"] = "csv"
+
+    @staticmethod
+    def fill(given: Mapping[str, str]) -> dict[str, Any]:
+        """Return the scales where they are not given.
+
+        As of ``/map``; logarithmic, which takes fewer entries, where an error decides about the
+        grid.
+        """
+        wants_few = "error" in given
+        return {
+            axis.scale: "log"
+            if wants_few and as_number(given.get(axis.minimum), axis.default[0]) != 0.0
+            else "linear"
+            for axis in (KAPPAS, PSIS)
+        }
+
+    @staticmethod
+    def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+        """Yield what is wrong with the parameters beside each other."""
+        yield from KAPPAS.misfits(given)
+        yield from PSIS.misfits(given)
+        if DAMPINGS.maximum in given:
+            yield from DAMPINGS.misfits(given)
+            if as_number(given.get("damping"), 0.0) != 0.0:
+                yield "damping", "left out, as `damping_max` makes it an axis"
+        else:
+            for name in (DAMPINGS.minimum, DAMPINGS.scale, "damping_count"):
+                if name in given and not _is_default(TableQuery, name, given[name]):
+                    yield name, "left out, or `damping_max` given, which makes damping an axis"
+        for count in ("kappa_count", "psi_count", "damping_count"):
+            if "error" in given and count in given:
+                yield count, "left out, as `error` is given and decides about it"
+
+    @property
+    def axes(self) -> tuple[Axis, Axis]:
+        """The edges: κ and ψ."""
+        return self.kappa_axis, _edge(self, "psi_")
+
+    @property
+    def third(self) -> Axis | float:
+        """The axis of η where there is one, else the η of all entries."""
+        return self.damping if self.damping_max is None else _edge(self, "damping_")
+
+
+def _is_default(query: type, name: str, text: str) -> bool:
+    """Return whether a parameter is given as what it is without."""
+    [default] = (each.default for each in fields(query) if each.name == name)
+    return text == default or as_number(text, None) == default
+
+
+@closed
+class SceneQuery(NoQuery):
+    """A scene of the measurement of speed and accuracy."""
+
+    scene: SceneName = "figure4"
+
+
+@closed
+class TradeoffQuery(SceneQuery, FormQuery):
+    """``GET /tradeoff``."""
+
+
+@closed
+class StepsQuery(FormQuery):
+    """``GET /steps``: a collision, or else a region."""
+
+    error: WantedError = 1e-3
+    region: SceneName | None = None
+    kappa: Kappa | None = None
+    mu_over_alpha: MuOverAlpha | None = None
+    gt_over_gn: GtOverGn | None = None
+    damping: Damping = 0.0
+
+    @staticmethod
+    def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+        """Yield what is wrong with the parameters beside each other."""
+        names = ("kappa", "mu_over_alpha", "gt_over_gn")
+        if "region" not in given:
+            yield from ((name, "given, or else `region`") for name in names if name not in given)
+            return
+        for name in (*names, "damping"):
+            if name in given and not _is_default(StepsQuery, name, given[name]):
+                yield name, "left out, as `region` is given"
+
+    @property
+    def parameters(self) -> CollisionParameters | None:
+        """The collision, None for a region."""
+        if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
+            return None
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
+
+
+FORM = {"format", "encoding", "quantities", "episode_limit"}
+"""Parameters of a query that are not the collision's."""
+
+
+def as_understood(query: Any, **more: Any) -> dict[str, Any]:
+    """Return the parameters of a query without those of its form, defaults filled in."""
+    names = annotations(type(query)).keys()
+    return {name: getattr(query, name) for name in names if name not in FORM} | more

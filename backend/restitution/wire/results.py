@@ -1,0 +1,89 @@
+"""What studies found, as answers: keys and values, rows, texts."""
+
+import numpy as np
+
+from restitution.export.c_header import c_header
+from restitution.export.python_module import python_module
+from restitution.studies.axis import Axis
+from restitution.studies.batch import BatchStudy
+from restitution.studies.collision import CollisionStudy
+from restitution.studies.spheres import ScalingStudy
+from restitution.studies.table_export import RestitutionTable
+from restitution.wire.formats import Payload, Result, flattened
+from restitution.wire.queries import CollisionQuery, as_understood
+
+
+def collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
+    """Return a collision with its parameters as understood."""
+    psi = query.parameters.psi
+    parameters = as_understood(query, psi=psi if np.isfinite(psi) else None)
+    return vars(study) | {"parameters": parameters}
+
+
+def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
+    """Return the columns of a batch as arrays of `shape`, and what holds for all of them."""
+    return {
+        **{name: column.reshape(shape) for name, column in batch.columns.items()},
+        "method": batch.one_method,
+        "error_bound": float(batch.error_bound.max()),
+        "tolerance_met": bool(batch.tolerance_met.all()),
+    }
+
+
+AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
+
+
+def scaling_result(study: ScalingStudy) -> Result:
+    """Return a collision of real bodies in all its forms."""
+    after = study.after
+    payload = vars(study) | {"after": None if after is None else after._asdict()}
+    return Result(
+        payload,
+        lambda: {name: [value] for name, value in _row(payload).items()},
+        lambda: _row(payload),
+    )
+
+
+def _row(payload: Payload) -> Payload:
+    """Return a payload without objects in lists: words of warnings, vectors by component."""
+    row = payload | {"warnings": " ".join(caution.code for caution in payload["warnings"])}
+    row["after"] = {
+        f"{name}.{axis}": None if payload["after"] is None else payload["after"][name][i]
+        for name in AFTER
+        for i, axis in enumerate("xyz")
+    }
+    return flattened(row)
+
+
+def table_result(table: RestitutionTable) -> Result:
+    """Return a table in all its forms."""
+    etas, psis, kappas = table.nodes().values
+    entries = table.epsilon_t.ravel()
+    third: Payload = {}
+    if isinstance(table.damping, Axis):
+        third = {"damping": etas, "damping_scale": table.damping.scale}
+    elif table.damped:
+        third = {"damping": table.damping}
+
+    def rows() -> Payload:
+        eta, psi, kappa = np.meshgrid(etas, psis, kappas, indexing="ij")
+        return {
+            "kappa": kappa.ravel(),
+            "psi": psi.ravel(),
+            **({"damping": eta.ravel()} if third else {}),
+            "epsilon_t": entries,
+            "largest_error": np.full(entries.size, table.largest_error),
+        }
+
+    payload = {
+        "kappa": kappas,
+        "psi": psis,
+        "epsilon_t": table.epsilon_t,
+        "largest_error": table.largest_error,
+        "kappa_scale": table.kappa.scale,
+        "psi_scale": table.psi.scale,
+        "sign": table.sign,
+        **third,
+    }
+    texts = {"c": lambda: c_header(table), "python": lambda: python_module(table)}
+    return Result(payload, rows, texts=texts)
