@@ -12,8 +12,8 @@ from pathlib import Path
 import pytest
 import yaml
 
-from restitution.studies.report import tradeoff_report
-from restitution.studies.tradeoff import load_tradeoff
+from restitution.studies.accuracy.report import tradeoff_report
+from restitution.studies.accuracy.tradeoff import load_tradeoff
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text()

@@ -10,13 +10,16 @@ ROOT = Path(__file__).parents[1]
 BACKEND = ROOT / "backend" / "restitution"
 FRONTEND = ROOT / "frontend"
 
+NUMBERS = {"mechanics", "errors", "interruption"}
+STUDIES = {"studies", "methods", "bounds"} | NUMBERS
 MAY_IMPORT = {
-    "mechanics": {"mechanics", "errors", "interruption"},
-    "methods": {"methods", "mechanics", "bounds", "errors", "interruption"},
-    "studies": {"studies", "methods", "mechanics", "bounds", "errors"},
-    "export": {"export", "studies", "errors"},
-    "wire": {"wire", "export", "studies", "methods", "mechanics", "bounds", "errors"},
-    "api": {"api", "wire", "studies", "methods", "mechanics", "bounds", "errors", "interruption"},
+    "mechanics": NUMBERS,
+    "methods": {"methods", "bounds"} | NUMBERS,
+    "studies": STUDIES,
+    "paper": {"paper"} | STUDIES,
+    "export": {"export"} | STUDIES,
+    "wire": {"wire", "export", "paper"} | STUDIES,
+    "api": {"api", "wire", "paper"} | STUDIES,
 }
 
 LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}
@@ -65,7 +68,7 @@ def test_only_what_serves_knows_http():
 
 
 def test_only_the_border_reads_with_pydantic():
-    for room in ("mechanics", "methods", "studies", "export"):
+    for room in ("mechanics", "methods", "studies", "paper", "export"):
         for source in (BACKEND / room).rglob("*.py"):
             roots = {name.split(".")[0] for name in imports(source)}
             assert not roots & {"pydantic", "pydantic_core"}, source

@@ -24,24 +24,24 @@ import numpy.typing as npt
 
 from restitution.errors import CostError, ParameterError, RestitutionError
 from restitution.methods.answer import Options
-from restitution.studies.axis import Axis
-from restitution.studies.batch import LISTED, BatchStudy, study_batch
-from restitution.studies.bodies import Moment, Sphere, Wall
-from restitution.studies.collision import QUANTITIES, CollisionStudy, study_collision
-from restitution.studies.cut import CutStudy, study_cut
-from restitution.studies.grid import GridStudy, study_grid
-from restitution.studies.impact import Impact, Velocities
-from restitution.studies.materials import MATERIALS
-from restitution.studies.paper import Item, study_paper
-from restitution.studies.parameters import CollisionParameters
-from restitution.studies.presets import PRESETS
-from restitution.studies.scaling import Contact
-from restitution.studies.scenes import SceneName
-from restitution.studies.steps import StepsStudy, study_steps
-from restitution.studies.table_export import RestitutionTable, study_table, study_table_within
-from restitution.studies.table_grid import Sign
-from restitution.studies.trace import COLUMNS, TraceStudy, study_trace
-from restitution.studies.tradeoff import load_tradeoff
+from restitution.paper import Item, study_paper
+from restitution.studies.accuracy.scenes import SceneName
+from restitution.studies.accuracy.steps import StepsStudy, study_steps
+from restitution.studies.accuracy.tradeoff import load_tradeoff
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.cut import CutStudy, study_cut
+from restitution.studies.collision.grid import GridStudy, study_grid
+from restitution.studies.collision.many import LISTED, BatchStudy, study_batch
+from restitution.studies.collision.one import QUANTITIES, CollisionStudy, study_collision
+from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.presets import PRESETS
+from restitution.studies.collision.trace import COLUMNS, TraceStudy, study_trace
+from restitution.studies.spheres.bodies import Moment, Sphere, Wall
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Impact, Velocities
+from restitution.studies.spheres.materials import MATERIALS
+from restitution.studies.tables.export import RestitutionTable, study_table, study_table_within
+from restitution.studies.tables.grid import Sign
 
 __all__ = [
     "MATERIALS",
@@ -62,7 +62,7 @@ __all__ = [
     "cut",
     "epsilon_t",
     "map",
-    "paper",
+    "paper_statements",
     "steps",
     "table",
     "trace",
@@ -121,7 +121,7 @@ def collision(
     kappa, mu_over_alpha, gt_over_gn, damping : float
         κ of Eq. 24, μ/α, g_t/g_n before, and η.
     quantities : collection of str, optional
-        Of those in ``QUANTITIES`` of `restitution.studies.collision`; the others are None.
+        Of `studies.collision.one.QUANTITIES`; the others are None.
     episode_limit : int, optional
         Largest number of episodes listed.
     **options
@@ -199,7 +199,7 @@ def trace(
     samples : int, optional
         Uniform instants, at least 2; those of the switches are added.
     columns : collection of str, optional
-        Of ``COLUMNS`` of `restitution.studies.trace`, each of shape (samples + switches,).
+        Of `studies.collision.trace.COLUMNS`, each of shape (samples + switches,).
     **options
         As of `Options`: method, tolerance, steps, …
 
@@ -387,7 +387,7 @@ def tradeoff(scene: SceneName = "figure4") -> dict[str, Any]:
     return stored
 
 
-def paper() -> tuple[Item, ...]:
+def paper_statements() -> tuple[Item, ...]:
     """Return what the paper prints, what is computed now, and a verdict, as ``GET /paper``.
 
     It takes a second the first time.

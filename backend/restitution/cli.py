@@ -17,13 +17,18 @@ from restitution.api.settings import Settings
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
-from restitution.studies.axis import Axis, Scale
-from restitution.studies.report import tradeoff_report
-from restitution.studies.scenes import SCENES
-from restitution.studies.spheres import ScalingStudy, study_scaling
-from restitution.studies.table_export import study_table, study_table_within
-from restitution.studies.table_grid import Sign, TableGrid
-from restitution.studies.tradeoff import STORED, load_tradeoff, store_tradeoff, study_tradeoff
+from restitution.studies.accuracy.report import tradeoff_report
+from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.tradeoff import (
+    STORED,
+    load_tradeoff,
+    store_tradeoff,
+    study_tradeoff,
+)
+from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.spheres.collision import ScalingStudy, study_scaling
+from restitution.studies.tables.export import study_table, study_table_within
+from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import Result, formed
 from restitution.wire.queries import TABLE_FORMATS

@@ -21,7 +21,7 @@ from document import (
     third_of,
 )
 
-from restitution.studies import steps
+from restitution.studies.accuracy import steps
 
 HUGE = "1" + "0" * 400
 DEEP = 100_000

@@ -6,7 +6,7 @@ import io
 import numpy as np
 import pytest
 
-from restitution.studies.paper import study_paper
+from restitution.paper import study_paper
 from work import counted
 
 FIELDS = {"id", "kind", "section", "printed", "computed", "verdict", "evidence", "link"}

@@ -10,8 +10,8 @@ from starlette.testclient import TestClient
 
 from restitution.api.app import create_app
 from restitution.api.settings import Settings
-from restitution.studies import candidates as every
-from restitution.studies import steps, tradeoff
+from restitution.studies.accuracy import candidates as every
+from restitution.studies.accuracy import steps, tradeoff
 from waiting import LIMIT_SECONDS, eventually
 
 SCENES = ("figure4", "stiff", "solids", "damped", "extremes")

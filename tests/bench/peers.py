@@ -21,10 +21,10 @@ from pathlib import Path
 import numpy as np
 
 from restitution.mechanics.viscoelastic import contact_duration
-from restitution.studies.candidates import Candidate
-from restitution.studies.reference import Reference, reference
-from restitution.studies.report import tradeoff_report
-from restitution.studies.tradeoff import Row, load_tradeoff, measure, store_rows
+from restitution.studies.accuracy.candidates import Candidate
+from restitution.studies.accuracy.reference import Reference, reference
+from restitution.studies.accuracy.report import tradeoff_report
+from restitution.studies.accuracy.tradeoff import Row, load_tradeoff, measure, store_rows
 
 SCENES = ("figure4", "solids", "damped")
 STEPS = (20, 50, 100, 200, 500, 1000, 5000)

@@ -24,10 +24,10 @@ from solver import solve_with_events
 from restitution.mechanics import collision, damped, damped_normal_motion, viscoelastic
 from restitution.methods import planner, table
 from restitution.methods.answer import Options
-from restitution.studies.axis import Axis
-from restitution.studies.grid import study_grid
-from restitution.studies.parameters import CollisionParameters
-from restitution.studies.trace import study_trace
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.grid import study_grid
+from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.trace import study_trace
 
 RESULTS = Path(__file__).parents[2] / "bench.json"
 RESTITUTION = Path(sys.executable).with_name("restitution")

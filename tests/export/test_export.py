@@ -14,12 +14,12 @@ from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
 from restitution.mechanics.collision import collide
 from restitution.methods.exact import follow
-from restitution.studies.axis import Axis
-from restitution.studies.bodies import Sphere
-from restitution.studies.impact import Impact
-from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import study_scaling
-from restitution.studies.table_export import study_table, study_table_within
+from restitution.studies.collision.axis import Axis
+from restitution.studies.spheres.bodies import Sphere
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact, scales
+from restitution.studies.spheres.impact import Impact
+from restitution.studies.tables.export import study_table, study_table_within
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "event-driven.md").read_text()
 

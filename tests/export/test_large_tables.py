@@ -26,9 +26,9 @@ from restitution.export.zarr_store import (
     open_store,
     write_chunk,
 )
-from restitution.studies.axis import Axis
-from restitution.studies.table_export import study_table
-from restitution.studies.table_grid import TableGrid
+from restitution.studies.collision.axis import Axis
+from restitution.studies.tables.export import study_table
+from restitution.studies.tables.grid import TableGrid
 from waiting import LIMIT_SECONDS
 
 PLANE = TableGrid(Axis(0.5, 30.0, 90, "log"), Axis(0.05, 3.0, 70, "log"), 0.0)

@@ -3,7 +3,7 @@
 import pytest
 
 from restitution.errors import ParameterError
-from restitution.studies.bodies import Moment, Sphere, Wall, pair
+from restitution.studies.spheres.bodies import Moment, Sphere, Wall, pair
 
 GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=Moment(1.4e-9))
 

@@ -9,10 +9,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from restitution.errors import ParameterError
-from restitution.studies.bodies import Moment, Sphere, Wall
-from restitution.studies.impact import Impact, Velocities
-from restitution.studies.scaling import Contact
-from restitution.studies.spheres import study_scaling
+from restitution.studies.spheres.bodies import Moment, Sphere, Wall
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Impact, Velocities
 
 GLASS = Sphere(0.0031, 6.9e10, 0.24, mass_kg=3e-4, inertia=Moment(1.4e-9))
 LIGHT = Sphere(0.011, 3.2e9, 0.37, density_kg_m3=410.0, inertia="hollow")

@@ -5,11 +5,11 @@ from pathlib import Path
 
 import pytest
 
-from restitution.studies.bodies import Sphere, Wall
-from restitution.studies.impact import Velocities
-from restitution.studies.materials import MATERIALS
-from restitution.studies.scaling import Contact
-from restitution.studies.spheres import study_scaling
+from restitution.studies.spheres.bodies import Sphere, Wall
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Velocities
+from restitution.studies.spheres.materials import MATERIALS
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "real-spheres.md").read_text()
 

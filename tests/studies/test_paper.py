@@ -15,7 +15,7 @@ from scipy.integrate import solve_ivp
 from scipy.special import beta
 
 from restitution.mechanics.stepping import step_collisions, stepped_course
-from restitution.studies.paper import (
+from restitution.paper import (
     conclusion_claims,
     equations,
     figures,
@@ -26,7 +26,7 @@ from restitution.studies.paper import (
     study_paper,
     switching_claims,
 )
-from restitution.studies.parameters import CollisionParameters
+from restitution.studies.collision.parameters import CollisionParameters
 
 ROOT = Path(__file__).parents[2]
 
@@ -384,5 +384,5 @@ def test_damped_contacts_begin_sticking_and_end_sliding_for_many_collisions():
 )
 def test_a_changed_input_changes_the_verdict(monkeypatch, name, value, statement, verdicts):
     before = statement().verdict
-    monkeypatch.setattr(f"restitution.studies.paper.{name}", value)
+    monkeypatch.setattr(f"restitution.paper.{name}", value)
     assert (before, statement().verdict) == verdicts

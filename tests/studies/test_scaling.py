@@ -15,10 +15,10 @@ from restitution.mechanics.viscoelastic import (
     largest_force,
     normal_restitution,
 )
-from restitution.studies.bodies import Moment, Sphere
-from restitution.studies.impact import Velocities
-from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import study_scaling
+from restitution.studies.spheres.bodies import Moment, Sphere
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact, scales
+from restitution.studies.spheres.impact import Velocities
 
 STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
 FIGURE_2 = Contact(STEEL, STEEL, 0.4, 1e12)

@@ -7,11 +7,11 @@ from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.stepping import step_collisions
 from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.exact import follow
-from restitution.studies.candidates import STEPS
-from restitution.studies.parameters import CollisionParameters
-from restitution.studies.scenes import SCENES
-from restitution.studies.steps import LADDER, TWINS, study_steps
-from restitution.studies.tradeoff import load_tradeoff
+from restitution.studies.accuracy.candidates import STEPS
+from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.steps import LADDER, TWINS, study_steps
+from restitution.studies.accuracy.tradeoff import load_tradeoff
+from restitution.studies.collision.parameters import CollisionParameters
 
 ONE = CollisionParameters(18.0, 1.4, 0.5)
 DAMPED = CollisionParameters(18.0, 1.4, 0.5, 0.3)

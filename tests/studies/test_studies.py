@@ -10,18 +10,18 @@ from hypothesis import strategies as st
 import restitution
 from restitution.errors import CostError, ParameterError
 from restitution.methods.answer import Options
-from restitution.studies.axis import Axis
-from restitution.studies.batch import study_batch
-from restitution.studies.bodies import Sphere
-from restitution.studies.collision import QUANTITIES, study_collision
-from restitution.studies.cut import study_cut
-from restitution.studies.grid import study_grid
-from restitution.studies.impact import Velocities
-from restitution.studies.parameters import CollisionParameters
-from restitution.studies.presets import PRESETS
-from restitution.studies.scaling import Contact
-from restitution.studies.spheres import study_scaling
-from restitution.studies.trace import study_trace
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.cut import study_cut
+from restitution.studies.collision.grid import study_grid
+from restitution.studies.collision.many import study_batch
+from restitution.studies.collision.one import QUANTITIES, study_collision
+from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.presets import PRESETS
+from restitution.studies.collision.trace import study_trace
+from restitution.studies.spheres.bodies import Sphere
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Velocities
 
 
 def test_trace_ends_with_epsilon_t_and_obeys_newton():

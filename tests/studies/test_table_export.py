@@ -7,10 +7,10 @@ from scipy.interpolate import interpn
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods.answer import Options
-from restitution.studies.axis import Axis
-from restitution.studies.batch import study_batch
-from restitution.studies.table_export import study_table, study_table_within
-from restitution.studies.table_grid import DIGITS, SAFETY
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.many import study_batch
+from restitution.studies.tables.export import study_table, study_table_within
+from restitution.studies.tables.grid import DIGITS, SAFETY
 from work import counted
 
 SOLIDS = Axis(3.5, 5.7, 60, "log"), Axis(0.05, 2.0, 60, "log")

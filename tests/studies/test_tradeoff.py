@@ -9,12 +9,12 @@ from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods import planner
 from restitution.methods.exact import follow
-from restitution.studies import candidates as every
-from restitution.studies.candidates import UNDAMPED, Candidate, candidates
-from restitution.studies.reference import KNOWN, reference
-from restitution.studies.report import tradeoff_report
-from restitution.studies.scenes import SCENES
-from restitution.studies.tradeoff import (
+from restitution.studies.accuracy import candidates as every
+from restitution.studies.accuracy.candidates import UNDAMPED, Candidate, candidates
+from restitution.studies.accuracy.reference import KNOWN, reference
+from restitution.studies.accuracy.report import tradeoff_report
+from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.tradeoff import (
     Row,
     load_tradeoff,
     machine,

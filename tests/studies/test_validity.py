@@ -3,10 +3,10 @@
 import math
 from dataclasses import replace
 
-from restitution.studies.bodies import Sphere, Wall
-from restitution.studies.impact import Impact, Velocities
-from restitution.studies.scaling import Contact, scales
-from restitution.studies.spheres import study_scaling
+from restitution.studies.spheres.bodies import Sphere, Wall
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact, scales
+from restitution.studies.spheres.impact import Impact, Velocities
 
 STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
 FIGURE_2 = Contact(STEEL, STEEL, 0.4, 1e12)

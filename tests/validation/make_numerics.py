@@ -18,8 +18,8 @@ import high_precision
 from make_collisions import exact
 from mpmath import mp, mpf
 
-from restitution.studies.collision import CollisionStudy, study_collision
-from restitution.studies.parameters import CollisionParameters
+from restitution.studies.collision.one import CollisionStudy, study_collision
+from restitution.studies.collision.parameters import CollisionParameters
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping

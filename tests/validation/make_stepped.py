@@ -14,8 +14,8 @@ sys.path.append(str(Path(__file__).parents[1] / "bench"))
 
 import peers
 
-from restitution.studies.dampings import by_damping
-from restitution.studies.scenes import SCENES
+from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.collision.dampings import by_damping
 
 COLLISIONS = 40
 STEPS = (20, 50, 200)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from real_spheres import integrate, laws
 
-from restitution.studies.bodies import Moment, Sphere
-from restitution.studies.impact import Velocities
-from restitution.studies.scaling import Contact
-from restitution.studies.spheres import study_scaling
+from restitution.studies.spheres.bodies import Moment, Sphere
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Velocities
 
 
 def random_body(rng):

@@ -5,7 +5,7 @@ import secrets
 import threading
 from dataclasses import dataclass, field
 
-from restitution.studies.tradeoff import Measurement, study_tradeoff
+from restitution.studies.accuracy.tradeoff import Measurement, study_tradeoff
 
 
 @dataclass

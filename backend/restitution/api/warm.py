@@ -1,11 +1,11 @@
 """Compile or load the kernels before the first request needs them."""
 
 from restitution.methods.answer import Options
-from restitution.studies.axis import Axis
-from restitution.studies.batch import QUANTITIES, study_batch
-from restitution.studies.parameters import CollisionParameters
-from restitution.studies.table_export import study_table
-from restitution.studies.trace import study_trace
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.many import QUANTITIES, study_batch
+from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.trace import study_trace
+from restitution.studies.tables.export import study_table
 
 
 def warm() -> None:

@@ -3,7 +3,7 @@
 from string import Template
 
 from restitution.export.layout import description, numbers, rows
-from restitution.studies.table_export import RestitutionTable
+from restitution.studies.tables.export import RestitutionTable
 
 _HEADER = Template("""\
 /*

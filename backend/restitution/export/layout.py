@@ -3,9 +3,9 @@
 import math
 from dataclasses import dataclass
 
-from restitution.studies.axis import Axis
-from restitution.studies.table_export import RestitutionTable
-from restitution.studies.table_grid import DIGITS, SAMPLED
+from restitution.studies.collision.axis import Axis
+from restitution.studies.tables.export import RestitutionTable
+from restitution.studies.tables.grid import DIGITS, SAMPLED
 
 SIGNS = {
     "paper": "g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels",

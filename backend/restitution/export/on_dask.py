@@ -10,8 +10,8 @@ from distributed import Client, KilledWorker, LocalCluster, as_completed
 
 from restitution.errors import ParameterError, RestitutionError
 from restitution.export.zarr_store import Index, missing_chunks, open_store, write_chunk
-from restitution.studies.table_export import refuse_stiff, tabulated
-from restitution.studies.table_grid import Sign, TableGrid
+from restitution.studies.tables.export import refuse_stiff, tabulated
+from restitution.studies.tables.grid import Sign, TableGrid
 
 AHEAD = 3
 """Chunks for each thread that the scheduler knows of: one in work, others to go on with."""

@@ -18,8 +18,8 @@ import zarr.errors
 
 from restitution.errors import ParameterError, RestitutionError
 from restitution.export.layout import SIGNS
-from restitution.studies.table_export import tabulated
-from restitution.studies.table_grid import Sign, TableGrid, grid_from, provenance
+from restitution.studies.tables.export import tabulated
+from restitution.studies.tables.grid import Sign, TableGrid, grid_from, provenance
 
 CHUNK_ENTRIES = 2**17
 """Of a chunk at most: 1 MB, and seconds of work that a killed run loses."""

@@ -10,16 +10,16 @@ from pydantic import Field
 from typing_extensions import TypedDict
 
 from restitution.methods.answer import Integrator
-from restitution.studies.bodies import Body, NotNegative, Positive
-from restitution.studies.collision import Episode, Sensitivity
-from restitution.studies.impact import Velocities
-from restitution.studies.materials import Measured
-from restitution.studies.paper import Item
-from restitution.studies.presets import Preset
-from restitution.studies.scenes import SceneName
-from restitution.studies.steps import Needed, Spread
-from restitution.studies.tradeoff import Measurement, Row
-from restitution.studies.validity import Caution
+from restitution.paper import Item
+from restitution.studies.accuracy.scenes import SceneName
+from restitution.studies.accuracy.steps import Needed, Spread
+from restitution.studies.accuracy.tradeoff import Measurement, Row
+from restitution.studies.collision.one import Episode, Sensitivity
+from restitution.studies.collision.presets import Preset
+from restitution.studies.spheres.bodies import Body, NotNegative, Positive
+from restitution.studies.spheres.impact import Velocities
+from restitution.studies.spheres.materials import Measured
+from restitution.studies.spheres.validity import Caution
 
 Method = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
 Mixed = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"]

@@ -14,12 +14,12 @@ from restitution.bounds import Misfit, Words, annotations, closed, plain
 from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Damping, Options, Tolerance
-from restitution.studies.axis import Axis, Scale
-from restitution.studies.batch import LISTED, QUANTITIES, BatchQuantity, ListedQuantity
-from restitution.studies.bodies import NotNegative, Positive
-from restitution.studies.impact import AnyImpact
-from restitution.studies.parameters import GtOverGn, Kappa, MuOverAlpha
-from restitution.studies.scaling import Contact
+from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.collision.many import LISTED, QUANTITIES, BatchQuantity, ListedQuantity
+from restitution.studies.collision.parameters import GtOverGn, Kappa, MuOverAlpha
+from restitution.studies.spheres.bodies import NotNegative, Positive
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import AnyImpact
 from restitution.wire.arrays import MOST_ITEMS, number_array
 from restitution.wire.parsing import parse_named
 from restitution.wire.reading import adapter, entries

@@ -11,7 +11,7 @@ import numpy.typing as npt
 import orjson
 import pybase64
 
-from restitution.studies.collision import Energy, Estimates, Sensitivity
+from restitution.studies.collision.one import Energy, Estimates, Sensitivity
 
 ROWS = 10_000
 """Of a table that are written at a time, and numbers of an array that are sent by themselves."""

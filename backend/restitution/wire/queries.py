@@ -13,11 +13,16 @@ from restitution.bounds import Meaning, Misfit, Words, annotations, closed
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.methods.answer import Damping, Options
 from restitution.methods.planner import is_quick
-from restitution.studies import batch, collision, trace
-from restitution.studies.axis import Axis, Scale
-from restitution.studies.parameters import CollisionParameters, GtOverGn, Kappa, MuOverAlpha
-from restitution.studies.scenes import SceneName
-from restitution.studies.table_grid import Sign
+from restitution.studies.accuracy.scenes import SceneName
+from restitution.studies.collision import many, one, trace
+from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.collision.parameters import (
+    CollisionParameters,
+    GtOverGn,
+    Kappa,
+    MuOverAlpha,
+)
+from restitution.studies.tables.grid import Sign
 from restitution.wire.ranges import Range, as_number
 
 Part = TypeVar("Part")
@@ -90,7 +95,7 @@ class ComputedQuery(Options, FormQuery):
 class CollisionQuery(ComputedQuery):
     """``GET /collision``."""
 
-    quantities: Annotated[str, Several(*collision.QUANTITIES)] = ",".join(collision.QUANTITIES)
+    quantities: Annotated[str, Several(*one.QUANTITIES)] = ",".join(one.QUANTITIES)
     kappa: Kappa
     mu_over_alpha: MuOverAlpha
     gt_over_gn: GtOverGn
@@ -115,7 +120,7 @@ class TraceQuery(CollisionQuery):
     samples: Annotated[int, Ge(2), Le(20_000)] = 400
 
 
-BatchQuantities = Annotated[str, Several(*batch.QUANTITIES)]
+BatchQuantities = Annotated[str, Several(*many.QUANTITIES)]
 
 CUTS = {
     "kappa": Range("minimum", "maximum", "scale", (0.1, 70.0), positive=True),

@@ -4,11 +4,11 @@ import numpy as np
 
 from restitution.export.c_header import c_header
 from restitution.export.python_module import python_module
-from restitution.studies.axis import Axis
-from restitution.studies.batch import BatchStudy
-from restitution.studies.collision import CollisionStudy
-from restitution.studies.spheres import ScalingStudy
-from restitution.studies.table_export import RestitutionTable
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.many import BatchStudy
+from restitution.studies.collision.one import CollisionStudy
+from restitution.studies.spheres.collision import ScalingStudy
+from restitution.studies.tables.export import RestitutionTable
 from restitution.wire.formats import Payload, Result, flattened
 from restitution.wire.queries import CollisionQuery, as_understood
 

@@ -5,11 +5,11 @@ from typing import Any
 import numpy as np
 
 from restitution.api.calls import Calls
-from restitution.studies.batch import LISTED, study_batch
-from restitution.studies.collision import study_collision
-from restitution.studies.cut import study_cut
-from restitution.studies.grid import study_grid
-from restitution.studies.trace import study_trace
+from restitution.studies.collision.cut import study_cut
+from restitution.studies.collision.grid import study_grid
+from restitution.studies.collision.many import LISTED, study_batch
+from restitution.studies.collision.one import study_collision
+from restitution.studies.collision.trace import study_trace
 from restitution.wire import answers
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.bodies import CollisionsBody, read_collisions

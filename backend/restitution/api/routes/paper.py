@@ -3,7 +3,7 @@
 from dataclasses import fields
 
 from restitution.api.calls import Calls
-from restitution.studies.paper import Item, study_paper
+from restitution.paper import Item, study_paper
 from restitution.wire import answers
 from restitution.wire.formats import Payload, Result
 from restitution.wire.queries import FormQuery

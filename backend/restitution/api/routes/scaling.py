@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 
 from restitution.api.calls import Calls
-from restitution.studies.materials import MATERIALS, Material
-from restitution.studies.parameters import CONVENTION
-from restitution.studies.spheres import study_scaling
-from restitution.studies.velocity_map import study_velocity_map
+from restitution.studies.collision.parameters import CONVENTION
+from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.materials import MATERIALS, Material
+from restitution.studies.spheres.velocity_map import study_velocity_map
 from restitution.wire import answers
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.bodies import ScalingBody, VelocityMapBody

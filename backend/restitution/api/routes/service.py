@@ -7,7 +7,7 @@ from fastapi import APIRouter, Request, Response
 from restitution.api.calls import Calls
 from restitution.api.document import refusals
 from restitution.api.problems import problem
-from restitution.studies.presets import PRESETS
+from restitution.studies.collision.presets import PRESETS
 from restitution.wire import answers
 from restitution.wire.formats import Result
 from restitution.wire.queries import NoQuery

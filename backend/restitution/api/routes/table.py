@@ -1,8 +1,8 @@
 """Tables of ε_t for other codes."""
 
 from restitution.api.calls import Calls
-from restitution.studies.table_export import study_table, study_table_within
-from restitution.studies.table_grid import TableGrid
+from restitution.studies.tables.export import study_table, study_table_within
+from restitution.studies.tables.grid import TableGrid
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.formats import Result
 from restitution.wire.queries import TableQuery

@@ -11,8 +11,8 @@ from starlette.exceptions import HTTPException
 from restitution.api import document
 from restitution.api.calls import PROGRAM_VERSION, Calls, parameters, respond
 from restitution.api.runs import Run, Runs
-from restitution.studies.steps import MOST_STEPS, RULE, Spread, study_steps
-from restitution.studies.tradeoff import load_tradeoff
+from restitution.studies.accuracy.steps import MOST_STEPS, RULE, Spread, study_steps
+from restitution.studies.accuracy.tradeoff import load_tradeoff
 from restitution.wire import answers
 from restitution.wire.formats import Payload, Result
 from restitution.wire.queries import NoQuery, SceneQuery, StepsQuery, TradeoffQuery, as_understood

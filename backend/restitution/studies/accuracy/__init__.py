@@ -1,0 +1,1 @@
+"""What methods cost and how far they are off."""

@@ -1,0 +1,199 @@
+"""Many collisions at once, with the quantities asked for."""
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from typing import Any, Literal, get_args
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.errors import CostError
+from restitution.mechanics import limits
+from restitution.mechanics.collision import TOO_STIFF
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.scaled_velocity import scaled_velocity
+from restitution.mechanics.viscoelastic import normal_restitution
+from restitution.methods import planner
+from restitution.methods.answer import Answer, Options
+from restitution.methods.exact import follow_affordable, known
+from restitution.studies.collision.dampings import by_damping
+from restitution.studies.collision.parameters import check
+
+MOST_DAMPINGS = 2000
+"""Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
+
+BatchQuantity = Literal[
+    "epsilon_t",
+    "switches",
+    "coulomb",
+    "stiff_bound",
+    "stiff_asymptote",
+    "largest_switches",
+    "error",
+]
+"""Of cuts and maps."""
+
+ListedQuantity = Literal["epsilon_t", "epsilon_n", "switches"]
+"""Of lists of collisions."""
+
+QUANTITIES: tuple[BatchQuantity, ...] = get_args(BatchQuantity)
+LISTED: tuple[ListedQuantity, ...] = get_args(ListedQuantity)
+
+Column = FloatArray | npt.NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class BatchStudy:
+    """Many collisions; arrays of shape (N,).
+
+    Attributes
+    ----------
+    columns : dict of str to ndarray
+        The quantities asked for. `switches` are integers, or floats with NaN where the method
+        that answered cannot count them.
+    method : ndarray of str
+        Method that answered.
+    error_bound : ndarray of float
+        Bound on the absolute error of ε_t.
+    tolerance_met : ndarray of bool
+        Whether that is within the tolerance.
+    """
+
+    columns: dict[str, Column]
+    method: npt.NDArray[np.str_]
+    error_bound: FloatArray
+    tolerance_met: npt.NDArray[np.bool_]
+
+    @property
+    def one_method(self) -> str:
+        """Name of the method, or ``mixed``."""
+        names = np.unique(self.method)
+        return str(names[0]) if names.size == 1 else "mixed"
+
+
+def study_batch(
+    kappa: npt.ArrayLike,
+    mu_over_alpha: npt.ArrayLike,
+    gt_over_gn: npt.ArrayLike,
+    quantities: Collection[str] = ("epsilon_t", "switches"),
+    options: Options | None = None,
+    damping: npt.ArrayLike | None = None,
+) -> BatchStudy:
+    """Return `quantities` of collisions whose parameters are broadcast to (N,).
+
+    η is `damping`, if given, else that of `options`; both are broadcast as the others are.
+
+    Raises
+    ------
+    ParameterError
+        If a parameter is out of range.
+    CostError
+        If a method asked for by name would cost too much, or for too many different η.
+    """
+    options = options or Options()
+    kappas, frictions, tangentials, etas = (
+        np.asarray(value, dtype=np.float64)
+        for value in (
+            kappa,
+            mu_over_alpha,
+            gt_over_gn,
+            options.damping if damping is None else damping,
+        )
+    )
+    check(kappas, frictions, tangentials, etas)
+    kappas, psis, many = np.broadcast_arrays(
+        np.atleast_1d(kappas), scaled_velocity(frictions, tangentials), etas
+    )
+    # copies, for numba warns of arrays that were broadcast
+    kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
+    if etas.size <= 1:
+        return _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
+    groups = by_damping(many)
+    if len(groups) > MOST_DAMPINGS:
+        raise CostError(
+            f"{len(groups):,} different values of damping in one request are more than "
+            f"{MOST_DAMPINGS:,}, the limit: each needs a normal motion of its own"
+        )
+    studies = [
+        _study(
+            kappas[part],
+            psis[part],
+            quantities,
+            # each its part of the budget, so that all together stay within it
+            options.beside_others(eta, part.size / kappas.size),
+        )
+        for eta, part in groups
+    ]
+    return _joined(studies, np.argsort(np.concatenate([part for _, part in groups])))
+
+
+def _joined(studies: list[BatchStudy], places: npt.NDArray[np.intp]) -> BatchStudy:
+    """Return several studies as one, whose k-th collision is number `places[k]` of them all."""
+
+    def join(arrays: list[Any]) -> Any:
+        return np.concatenate(arrays)[places]
+
+    return BatchStudy(
+        {name: join([study.columns[name] for study in studies]) for name in studies[0].columns},
+        join([study.method for study in studies]),
+        join([study.error_bound for study in studies]),
+        join([study.tolerance_met for study in studies]),
+    )
+
+
+def _study(
+    kappas: FloatArray, psis: FloatArray, quantities: Collection[str], options: Options
+) -> BatchStudy:
+    """Return the study of collisions (N,) of one η."""
+    answer = planner.solve(kappas, psis, quantities, options)
+    return BatchStudy(
+        {
+            name: _column(name, kappas, psis, answer, options)
+            for name in dict.fromkeys((*QUANTITIES, *LISTED))
+            if name in quantities
+        },
+        answer.method,
+        answer.error_bound,
+        answer.error_bound <= options.tolerance,
+    )
+
+
+def _column(
+    name: str, kappa: FloatArray, psi: FloatArray, answer: Answer, options: Options
+) -> Column:
+    damping, share = options.damping, options.share
+    match name:
+        case "epsilon_t":
+            return answer.epsilon_t
+        case "epsilon_n":
+            return np.full(kappa.shape, normal_restitution(damping))
+        case "switches":
+            return counted_switches(answer)
+        case "error":
+            exact = answer.exact
+            if exact is None:
+                exact = known(follow_affordable(kappa, psi, damping, share))
+            return answer.epsilon_t - exact
+    return _law(name, kappa, psi, damping)
+
+
+@np.errstate(divide="ignore", over="ignore")
+def _law(name: str, kappa: FloatArray, psi: FloatArray, damping: float) -> FloatArray:
+    """Return one of the simple laws; those of the stiff limit are made for η = 0."""
+    if name == "coulomb":
+        return limits.coulomb_restitution(psi, normal_restitution(damping))
+    if damping:
+        return np.full(kappa.shape, np.nan)
+    if name == "largest_switches":
+        return limits.largest_switch_count(kappa)
+    law = limits.stiff_bound if name == "stiff_bound" else limits.stiff_asymptote
+    return law(kappa, psi)
+
+
+def counted_switches(answer: Answer) -> Column:
+    """Return the switches; as floats with NaN where the method could not count them."""
+    if answer.switches is None:
+        return np.full(answer.epsilon_t.shape, np.nan)
+    if np.any(answer.switches == TOO_STIFF):
+        return np.where(answer.switches == TOO_STIFF, np.nan, answer.switches)
+    return answer.switches

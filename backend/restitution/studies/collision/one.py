@@ -1,0 +1,265 @@
+"""One collision: what came out and how it went."""
+
+import contextlib
+import functools
+import itertools
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from restitution.errors import CostError
+from restitution.mechanics import limits
+from restitution.mechanics.collision import TOO_STIFF
+from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
+from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
+from restitution.methods import planner
+from restitution.methods.answer import Answer, Options
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
+from restitution.studies.collision.summary import summarise
+
+QUANTITIES = (
+    "epsilon_t",
+    "epsilon_n",
+    "switches",
+    "reversals",
+    "episodes",
+    "energy",
+    "estimates",
+    "sensitivity",
+    "summary",
+)
+
+FROM_EPISODES = frozenset({"reversals", "episodes", "sensitivity", "summary"})
+
+
+@dataclass(frozen=True)
+class Episode:
+    """A stretch of the contact without a change of regime; times scaled by t_scale."""
+
+    regime: str
+    start: float
+    end: float
+    direction: int
+
+
+@dataclass(frozen=True)
+class Energy:
+    """u²/2 + κz²/2 with u = g_t/g_n, before and after; the share lost is 1 − ε_t²."""
+
+    initial: float
+    final: float
+    dissipated: float
+    dissipated_share: float
+
+
+@dataclass(frozen=True)
+class Estimates:
+    """Simple laws for the same collision; NaN where they say nothing."""
+
+    coulomb: float
+    stiff_bound: float
+    stiff_asymptote: float
+
+
+@dataclass(frozen=True)
+class Sensitivity:
+    """∂ε_t/∂ln κ at fixed ψ and ∂ε_t/∂ln ψ at fixed κ."""
+
+    kappa: float
+    psi: float
+
+
+@dataclass(frozen=True)
+class CollisionStudy:
+    """The result of one collision; None where the method cannot give a quantity.
+
+    Attributes are those of ``GET /collision``; see docs/model.md.
+    """
+
+    parameters: CollisionParameters
+    epsilon_t: float
+    epsilon_n: float
+    switches: int | None
+    switches_certain: bool | None
+    reversals: int | None
+    contact_duration: float
+    episodes: list[Episode] | None
+    episodes_truncated: bool
+    energy: Energy | None
+    estimates: Estimates | None
+    sensitivity: Sensitivity | None
+    summary: str | None
+    limit: bool
+    method: str
+    error_bound: float
+    tolerance_met: bool
+    convention: str
+
+
+@functools.lru_cache(maxsize=8)
+def followed_motion(parameters: CollisionParameters) -> Motion | None:
+    """Return the episodes of a collision; None for those that have no spring: ψ = 0 or ∞."""
+    psi = parameters.psi
+    if not 0.0 < psi < np.inf:
+        return None
+    return motion(parameters.kappa, psi, damping=parameters.damping)
+
+
+def study_collision(
+    parameters: CollisionParameters,
+    options: Options | None = None,
+    quantities: Collection[str] = QUANTITIES,
+    episode_limit: int = 200,
+) -> CollisionStudy:
+    """Return one collision with the `quantities` asked for.
+
+    Parameters
+    ----------
+    parameters : CollisionParameters
+        κ, μ/α, g_t/g_n, η.
+    options : Options, optional
+        Method and tolerance; η is that of the parameters.
+    quantities : collection of str, optional
+        Of `QUANTITIES`; the others are None.
+    episode_limit : int, optional
+        Largest number of episodes listed.
+
+    Examples
+    --------
+    >>> study_collision(CollisionParameters(63.0, 1.4, 1.358)).switches
+    8
+    """
+    options = options or Options()
+    if options.damping != parameters.damping:
+        options = replace(options, damping=parameters.damping)
+    wanted = frozenset(quantities)
+    psi = parameters.psi
+    outcome = _outcome(parameters, wanted, options)
+    epsilon_t = outcome.epsilon_t
+    course = None
+    if outcome.method == "exact" and wanted & FROM_EPISODES:
+        course = _course(parameters, 0 if "episodes" not in wanted else episode_limit)
+    return CollisionStudy(
+        parameters=parameters,
+        epsilon_t=epsilon_t,
+        epsilon_n=normal_restitution(parameters.damping),
+        switches=outcome.switches if "switches" in wanted else None,
+        switches_certain=outcome.switches_certain,
+        reversals=course.reversals if course and "reversals" in wanted else None,
+        contact_duration=contact_duration(parameters.damping),
+        episodes=course.episodes if course and "episodes" in wanted else None,
+        episodes_truncated=bool(course and course.count > episode_limit),
+        energy=_energy(parameters.gt_over_gn, epsilon_t) if "energy" in wanted else None,
+        estimates=estimates(parameters.kappa, psi, parameters.damping)
+        if "estimates" in wanted
+        else None,
+        # where the bound is 1 double precision does not hold the phase, nor any derivative
+        sensitivity=(
+            course.sensitivity
+            if course and "sensitivity" in wanted and outcome.error_bound < 1.0
+            else None
+        ),
+        summary=_summary(outcome, course, parameters) if "summary" in wanted else None,
+        limit=psi == 0.0,
+        method=outcome.method,
+        error_bound=outcome.error_bound,
+        tolerance_met=outcome.error_bound <= options.tolerance,
+        convention=CONVENTION,
+    )
+
+
+class _Outcome(NamedTuple):
+    """What a method gives for one collision; None where it does not count switches."""
+
+    epsilon_t: float
+    error_bound: float
+    method: str
+    switches: int | None
+    switches_certain: bool | None
+
+
+def _outcome(parameters: CollisionParameters, wanted: frozenset[str], options: Options) -> _Outcome:
+    """Return the outcome by the planner's choice; what is followed anyway is solved by that."""
+    if wanted & FROM_EPISODES and planner.is_exact(wanted, options):
+        # what is too stiff to be followed is the planner's to answer or to refuse
+        with contextlib.suppress(CostError):
+            if path := followed_motion(parameters):
+                found = path.epsilon_t, path.error_bound, "exact"
+                return _Outcome(*found, path.switches, path.switches_certain)
+    answer = planner.solve(
+        np.array([parameters.kappa]), np.array([parameters.psi]), wanted, options
+    )
+    switches, certain = _counted(answer)
+    named = str(answer.method[0])
+    return _Outcome(
+        float(answer.epsilon_t[0]), float(answer.error_bound[0]), named, switches, certain
+    )
+
+
+def _counted(answer: Answer) -> tuple[int | None, bool | None]:
+    """Return the switches and whether they are certain; None where they were not counted."""
+    if answer.switches is None or answer.switches_certain is None:
+        return None, None
+    switches = int(answer.switches[0])
+    return (None, None) if switches == TOO_STIFF else (switches, bool(answer.switches_certain[0]))
+
+
+@dataclass(frozen=True)
+class _Course:
+    """What the episodes tell."""
+
+    count: int
+    first_end: float
+    reversals: int
+    sensitivity: Sensitivity
+    episodes: list[Episode]
+
+
+def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
+    """Return how the collision goes, with its first `episode_limit` episodes."""
+    path = followed_motion(parameters)
+    duration = contact_duration(parameters.damping)
+    if path is None:
+        resting = parameters.psi == 0.0
+        only = Episode("sticking" if resting else "sliding", 0.0, duration, int(not resting))
+        phase = np.sqrt(parameters.kappa) * duration if resting else 0.0
+        slope = Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)
+        return _Course(1, duration, 0, slope, [only][:episode_limit])
+    listed = zip(path.start, path.end, path.direction, strict=True)
+    return _Course(
+        path.switches + 1,
+        float(path.end[0]),
+        reversals(path),
+        Sensitivity(*sensitivity(path)),
+        [
+            Episode(
+                "sliding" if direction else "sticking", float(start), float(end), int(direction)
+            )
+            for start, end, direction in itertools.islice(listed, episode_limit)
+        ],
+    )
+
+
+def _summary(outcome: _Outcome, course: _Course | None, parameters: CollisionParameters) -> str:
+    psi, damping = parameters.psi, parameters.damping
+    epsilon_t, bound = outcome.epsilon_t, outcome.error_bound
+    if course is None:
+        return summarise(epsilon_t, bound, None, 0.0, 0, resting=psi == 0.0)
+    share = course.first_end / contact_duration(damping)
+    turns = course.reversals
+    return summarise(epsilon_t, bound, course.count - 1, share, turns, resting=psi == 0.0)
+
+
+def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
+    lost = (1.0 - epsilon_t) * (1.0 + epsilon_t)
+    with np.errstate(over="ignore", under="ignore"):
+        initial = float(0.5 * np.float64(gt_over_gn) ** 2)
+    return Energy(initial, epsilon_t * epsilon_t * initial, lost * initial, lost)
+
+
+def estimates(kappa: float, psi: float, damping: float = 0.0) -> Estimates:
+    """Return Coulomb's law and, for η = 0, both stiff limits for one collision."""
+    coulomb, bound, asymptote = limits.simple_laws(kappa, psi, normal_restitution(damping))
+    return Estimates(coulomb, np.nan, np.nan) if damping else Estimates(coulomb, bound, asymptote)

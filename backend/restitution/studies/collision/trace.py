@@ -1,0 +1,181 @@
+"""The forces and velocities of one collision over time."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from restitution.errors import CostError
+from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
+from restitution.mechanics.collision import WEAKEST
+from restitution.mechanics.damped_curves import damped_normal_curves
+from restitution.mechanics.hertz import FloatArray, normal_curves
+from restitution.mechanics.motion import Motion, instants, tangential_curves
+from restitution.mechanics.stepping import stepped_course
+from restitution.mechanics.viscoelastic import contact_duration
+from restitution.methods.answer import Options
+from restitution.methods.exact import expected_counts
+from restitution.studies.collision.one import CollisionStudy, followed_motion, study_collision
+from restitution.studies.collision.parameters import CollisionParameters
+
+COLUMNS = (
+    "time",
+    "compression",
+    "compression_rate",
+    "normal_force",
+    "tangential_force_over_mu",
+    "tangential_velocity",
+    "spring_elongation",
+    "regime",
+    "tangential_energy",
+)
+
+MOST_SWITCHES = 20_000
+"""A trace with more switches than this has no picture."""
+
+MOST_STEPS = 20_000
+"""Steps of ``timestep`` that are shown: of more, every second, third, … and the last."""
+
+
+@dataclass(frozen=True)
+class TraceStudy:
+    """A collision over time.
+
+    Attributes
+    ----------
+    collision : CollisionStudy
+        The collision itself.
+    columns : dict of str to ndarray, shape (samples + switches,)
+        Of `COLUMNS`, those asked for, in scaled units.
+    switch_times : ndarray, shape (switches,)
+        Instants of the switches; each is also among the samples.
+    method_columns : dict of str to ndarray
+        For ``timestep`` what it takes the collision for, at the touch and its own steps, so with a
+        length of its own: `method_time`, `method_tangential_force_over_mu`,
+        `method_tangential_velocity`. Empty for other methods.
+    """
+
+    collision: CollisionStudy
+    columns: dict[str, FloatArray | npt.NDArray[np.int8]]
+    switch_times: FloatArray
+    method_columns: dict[str, FloatArray]
+
+    def __getitem__(self, column: str) -> FloatArray | npt.NDArray[np.int8]:
+        """Return one of the columns."""
+        return self.columns[column]
+
+
+def study_trace(
+    parameters: CollisionParameters,
+    options: Options | None = None,
+    samples: int = 400,
+    columns: Collection[str] = COLUMNS,
+    episode_limit: int = 200,
+) -> TraceStudy:
+    """Return a collision at uniform instants, merged with those of its switches.
+
+    Parameters
+    ----------
+    parameters : CollisionParameters
+        κ, μ/α, g_t/g_n, η.
+    options : Options, optional
+        Method and tolerance of ε_t; the columns are exact, those of ``timestep`` stand beside them.
+    samples : int, optional
+        Uniform instants from 0 to t_c, at least 2.
+    columns : collection of str, optional
+        Of `COLUMNS`; only these are computed.
+
+    Raises
+    ------
+    CostError
+        If the collision is too stiff or switches more often than `MOST_SWITCHES`.
+    """
+    eta = parameters.damping
+    one = np.array([parameters.kappa]), np.array([parameters.psi])
+    expected = float(expected_counts(*one, eta)[0])
+    if expected > FOLLOWED_SWITCHES:
+        raise _too_many(f"about {expected:.1e}")
+    collision = study_collision(parameters, options, episode_limit=episode_limit)
+    path = followed_motion(parameters)
+    switch_times = path.start[1:] if path else np.empty(0)
+    if switch_times.size > MOST_SWITCHES:
+        raise _too_many(f"{switch_times.size:,}")
+    time = instants(contact_duration(eta), samples, switch_times)
+    wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
+    compression, rate, cap = damped_normal_curves(eta, time) if eta else normal_curves(time)
+    values: dict[str, FloatArray | npt.NDArray[np.int8]] = {
+        "time": time,
+        "compression": compression,
+        "compression_rate": rate,
+        "normal_force": cap,
+    }
+    if not wanted.keys() <= values.keys():
+        values |= _tangential(parameters, path, time, cap)
+    own = _stepped(parameters, options) if collision.method == "timestep" and options else {}
+    return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times, own)
+
+
+def _too_many(switches: str) -> CostError:
+    return CostError(
+        f"this collision has {switches} switches; a trace shows at most {MOST_SWITCHES:,}. "
+        "Ask for a softer one, or for /collision"
+    )
+
+
+def _stepped(parameters: CollisionParameters, options: Options) -> dict[str, FloatArray]:
+    """Return the columns of a collision in time steps, named and signed as the exact ones."""
+    psi = min(parameters.psi, np.finfo(float).max)
+    time, force, velocity = stepped_course(
+        parameters.kappa,
+        psi,
+        options.steps,
+        options.integrator,
+        options.phase,
+        parameters.damping,
+    )
+    shown = np.arange(0, time.size, -(-time.size // MOST_STEPS))
+    shown[-1] = time.size - 1
+    time, force, velocity = time[shown], force[shown], velocity[shown]
+    # a collision weaker than the one that was followed has proportionally weaker forces
+    force = force * min(1.0, psi / max(psi, WEAKEST))
+    with np.errstate(over="ignore"):
+        velocity = parameters.gt_over_gn * (velocity / velocity[0])
+    return {
+        "method_time": time,
+        "method_tangential_force_over_mu": 0.0 - force,
+        "method_tangential_velocity": velocity,
+    }
+
+
+# a product beyond the double range does not exist and is null in the answer
+@np.errstate(over="ignore", invalid="ignore")
+def _tangential(
+    parameters: CollisionParameters, path: Motion | None, time: FloatArray, cap: FloatArray
+) -> dict[str, FloatArray | npt.NDArray[np.int8]]:
+    """Return the tangential columns at the instants `time` (N,), `cap` being x^{3/2} there.
+
+    They are formed from u/u(0) and z/u(0), so that no product leaves the double range on the way.
+    """
+    initial, psi = parameters.gt_over_gn, parameters.psi
+    if path is not None:
+        curves = tangential_curves(path, time)
+        velocity, elongation = initial * curves.velocity, initial * curves.elongation
+        # a collision weaker than the one that was followed has proportionally weaker forces
+        force, regime = curves.force * min(1.0, psi / path.psi), curves.regime
+    elif psi == 0.0:
+        velocity = elongation = force = np.zeros(time.size)
+        regime = np.zeros(time.size, np.int8)
+    else:
+        velocity, force = np.full(time.size, initial), cap
+        stretch = cap / parameters.kappa * parameters.mu_over_alpha
+        elongation = np.minimum(np.nan_to_num(stretch), initial * time)
+        regime = np.ones(time.size, np.int8)
+    energy = 0.5 * (velocity**2 + (np.sqrt(parameters.kappa) * elongation) ** 2)
+    return {
+        "tangential_velocity": velocity,
+        "spring_elongation": elongation,
+        "tangential_force_over_mu": 0.0 - force,
+        "regime": regime,
+        "tangential_energy": energy,
+    }

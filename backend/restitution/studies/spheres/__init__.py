@@ -1,0 +1,1 @@
+"""Collisions of real bodies, in SI units."""

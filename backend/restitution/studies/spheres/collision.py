@@ -1,0 +1,131 @@
+"""One collision of real bodies: from materials and velocities to ε_t, and back to velocities."""
+
+import math
+from dataclasses import dataclass
+
+from restitution.methods.answer import Options
+from restitution.studies.collision.one import study_collision
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
+from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
+from restitution.studies.spheres.impact import (
+    After,
+    Impact,
+    Velocities,
+    after_impact,
+    contact_velocity,
+)
+from restitution.studies.spheres.validity import Caution, cautions
+
+
+@dataclass(frozen=True)
+class ScalingStudy:
+    """A collision of real bodies; attributes are those of ``POST /scaling``.
+
+    `psi` is None where it is infinite, `switches` where they were not counted, `after` where the
+    impact was given by the velocity at the point of contact.
+    """
+
+    kappa: float
+    mu_over_alpha: float
+    gt_over_gn: float
+    damping: float
+    psi: float | None
+    alpha: float
+    beta: float
+    effective_mass_kg: float
+    effective_radius_m: float
+    effective_modulus_pa: float
+    tangential_stiffness_n_per_m: float
+    normal_velocity_m_s: float
+    tangential_velocity_m_s: float
+    time_scale_s: float
+    length_scale_m: float
+    contact_duration_s: float
+    maximum_compression_m: float
+    maximum_normal_force_n: float
+    epsilon_n: float
+    epsilon_t: float
+    switches: int | None
+    after: After | None
+    warnings: list[Caution]
+    method: str
+    error_bound: float
+    tolerance_met: bool
+    convention: str
+
+
+def study_scaling(
+    contact: Contact, impact: Velocities | Impact, options: Options | None = None
+) -> ScalingStudy:
+    """Return what comes out of a collision of real bodies.
+
+    Parameters
+    ----------
+    contact : Contact
+        Bodies, friction, stiffness.
+    impact : Velocities or Impact
+        The velocity at the point of contact, or the motion of both bodies.
+    options : Options, optional
+        Method and tolerance.
+
+    Raises
+    ------
+    ParameterError
+        If the bodies do not approach or a quantity is beyond double precision.
+
+    Examples
+    --------
+    >>> from restitution.studies.spheres.bodies import Sphere
+    >>> steel = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+    >>> study = study_scaling(Contact(steel, steel, 0.4, 1e12), Velocities(20.0, 5.0))
+    >>> round(study.kappa), round(1e6 * study.contact_duration_s, 1)
+    (11225, 66.1)
+    """
+    if isinstance(impact, Velocities):
+        approach, g_n, g_t = None, impact.normal_velocity_m_s, impact.tangential_velocity_m_s
+        # of bodies that do not spin
+        crossing = g_t
+    else:
+        approach = contact_velocity(impact, contact.pair)
+        g_n, g_t = approach.normal_velocity, approach.tangential_velocity
+        crossing = approach.crossing_velocity
+    at = scales(contact, g_n)
+    parameters = CollisionParameters(
+        at.kappa,
+        friction_over_alpha(contact.friction_coefficient, at.pair.alpha),
+        velocity_ratio(g_t, g_n),
+        at.damping,
+    )
+    found = study_collision(parameters, options, ("epsilon_t", "epsilon_n", "switches"))
+    after = None
+    if isinstance(impact, Impact) and approach:
+        after = after_impact(impact, at.pair, approach, found.epsilon_n, found.epsilon_t)
+    return ScalingStudy(
+        kappa=at.kappa,
+        mu_over_alpha=parameters.mu_over_alpha,
+        gt_over_gn=parameters.gt_over_gn,
+        damping=at.damping,
+        psi=parameters.psi if math.isfinite(parameters.psi) else None,
+        alpha=at.pair.alpha,
+        beta=at.beta,
+        effective_mass_kg=at.pair.effective_mass_kg,
+        effective_radius_m=at.pair.effective_radius_m,
+        effective_modulus_pa=at.pair.effective_modulus_pa,
+        tangential_stiffness_n_per_m=at.tangential_stiffness_n_per_m,
+        normal_velocity_m_s=g_n,
+        tangential_velocity_m_s=g_t,
+        time_scale_s=at.time_scale_s,
+        length_scale_m=at.length_scale_m,
+        contact_duration_s=found.contact_duration * at.time_scale_s,
+        maximum_compression_m=at.maximum_compression_m,
+        maximum_normal_force_n=at.maximum_normal_force_n,
+        epsilon_n=found.epsilon_n,
+        epsilon_t=found.epsilon_t,
+        switches=found.switches,
+        after=after,
+        warnings=cautions(contact, at, crossing),
+        method=found.method,
+        error_bound=found.error_bound,
+        tolerance_met=found.tolerance_met,
+        convention=CONVENTION,
+    )

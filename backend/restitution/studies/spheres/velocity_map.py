@@ -1,0 +1,91 @@
+"""ε_t of real bodies over normal and tangential velocity in m/s: the paper's Figs. 1 and 2."""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+
+import numpy as np
+
+from restitution.mechanics.hertz import FloatArray
+from restitution.methods.answer import Options
+from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.many import BatchStudy, study_batch
+from restitution.studies.spheres.contact import (
+    SMALLEST,
+    Contact,
+    friction_over_alpha,
+    scales,
+    velocity_ratio,
+)
+
+OF_NORMAL_VELOCITY = (
+    "kappa",
+    "damping",
+    "time_scale_s",
+    "length_scale_m",
+    "contact_duration_s",
+    "maximum_compression_m",
+)
+"""What depends on the normal velocity alone; as of ``POST /scaling``."""
+
+
+@dataclass(frozen=True)
+class VelocityMap:
+    """A map over both velocities.
+
+    Attributes
+    ----------
+    normal_velocity_m_s : ndarray, shape (n,)
+    tangential_velocity_m_s : ndarray, shape (k,)
+    mu_over_alpha : float
+    scales : dict of str to ndarray, shape (n,)
+        `OF_NORMAL_VELOCITY`.
+    batch : BatchStudy
+        Columns of length k n, the normal velocity fastest.
+    """
+
+    normal_velocity_m_s: FloatArray
+    tangential_velocity_m_s: FloatArray
+    mu_over_alpha: float
+    scales: dict[str, FloatArray]
+    batch: BatchStudy
+
+
+def study_velocity_map(
+    contact: Contact,
+    normal_velocity: Axis,
+    tangential_velocity: Axis,
+    quantities: Collection[str] = ("epsilon_t", "switches"),
+    options: Options | None = None,
+) -> VelocityMap:
+    """Return a map of a contact over its velocities in m/s.
+
+    Parameters
+    ----------
+    contact : Contact
+        Bodies, friction, stiffness.
+    normal_velocity, tangential_velocity : Axis
+        Positive, and 0 or more.
+    quantities : collection of str, optional
+        Of `many.QUANTITIES`.
+    options : Options, optional
+        Method and tolerance.
+
+    Raises
+    ------
+    ParameterError
+        If a range is empty or a quantity is beyond double precision.
+    """
+    normal = normal_velocity.values(positive=True)
+    tangential = tangential_velocity.values(positive=False)
+    steps = [scales(contact, g_n) for g_n in normal.tolist()]
+    columns = {name: np.array([getattr(at, name) for at in steps]) for name in OF_NORMAL_VELOCITY}
+    friction = friction_over_alpha(contact.friction_coefficient, contact.pair.alpha)
+    # the largest ratio of all, refused if it overflows
+    velocity_ratio(float(tangential[-1]), float(normal[0]))
+    ratios = tangential[:, None] / normal
+    ratios[(ratios == 0.0) & (tangential > 0.0)[:, None]] = SMALLEST
+    kappas, dampings = (
+        np.broadcast_to(columns[name], ratios.shape).ravel() for name in ("kappa", "damping")
+    )
+    batch = study_batch(kappas, friction, ratios.ravel(), quantities, options, dampings)
+    return VelocityMap(normal, tangential, friction, columns, batch)

@@ -1,0 +1,1 @@
+"""Tables of ε_t for other codes."""
