@@ -5,8 +5,9 @@ import math
 import os
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, get_args
 
 import click
 import uvicorn
@@ -25,16 +26,15 @@ from restitution.studies.accuracy.tradeoff import (
     store_tradeoff,
     study_tradeoff,
 )
-from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.collision.axis import Scale
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
-from restitution.studies.tables.export import study_table, study_table_within
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import Result, formed
-from restitution.wire.queries import TABLE_FORMATS
-from restitution.wire.reading import read_object
+from restitution.wire.queries import TableFormat, TableQuery
+from restitution.wire.reading import read_object, read_query
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
-from restitution.wire.results import scaling_result, table_result
+from restitution.wire.results import scaling_result, table_result, tabulated_as
 
 LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
@@ -192,26 +192,28 @@ def _summary(study: ScalingStudy) -> str:
     return "\n".join([*lines, study.convention])
 
 
+ENDS, COUNT = click.Tuple([str, str]), "Entries along it, unless --error is given."
+SCALE = click.Choice(get_args(Scale))
+
+
 @main.command()
-@click.option("--kappa", type=(float, float), default=(0.1, 70.0), help="0.1 70 by default.")
-@click.option("--kappa-count", type=click.IntRange(2), help="200 unless --error is given.")
-@click.option("--kappa-scale", type=click.Choice(["linear", "log"]), default="log")
-@click.option("--psi", type=(float, float), default=(0.01, 4.0), help="0.01 4 by default.")
-@click.option("--psi-count", type=click.IntRange(2), help="150 unless --error is given.")
-@click.option("--psi-scale", type=click.Choice(["linear", "log"]), default="log")
+@click.option("--kappa", type=ENDS, metavar="MIN MAX", help="0.1 70 by default.")
+@click.option("--kappa-count", help=COUNT)
+@click.option("--kappa-scale", type=SCALE, help="linear by default, log with --error.")
+@click.option("--psi", type=ENDS, metavar="MIN MAX", help="0.01 4 by default.")
+@click.option("--psi-count", help=COUNT)
+@click.option("--psi-scale", type=SCALE, help="As of κ.")
 @click.option(
     "--damping",
-    type=(float, float),
-    default=(0.0, 0.0),
+    type=ENDS,
+    metavar="MIN MAX",
     help="η as a third axis, or the same number twice for all entries; 0 0 by default.",
 )
-@click.option("--damping-count", type=click.IntRange(2), help="10 unless --error is given.")
-@click.option("--damping-scale", type=click.Choice(["linear", "log"]), default="linear")
-@click.option(
-    "--error", type=click.FloatRange(1e-12, 1), help="Largest error of interpolation wanted."
-)
-@click.option("--sign", type=click.Choice(["paper", "reversed"]), default="paper")
-@click.option("--format", "form", type=click.Choice(TABLE_FORMATS), default="csv")
+@click.option("--damping-count", help=COUNT)
+@click.option("--damping-scale", type=SCALE, help="linear by default.")
+@click.option("--error", help="Largest error of interpolation wanted.")
+@click.option("--sign", type=click.Choice(get_args(Sign)), help="paper by default.")
+@click.option("--format", type=click.Choice(get_args(TableFormat)), help="csv by default.")
 @click.option("--seconds", type=float, default=60.0, help="Time of one core that it may take.")
 @click.option("--out", type=click.File("wb"), default="-", help="Standard output by default.")
 @click.option(
@@ -224,50 +226,44 @@ def _summary(study: ScalingStudy) -> str:
 @click.pass_context
 def table(
     context: click.Context,
-    kappa: tuple[float, float],
-    kappa_count: int | None,
-    kappa_scale: Scale,
-    psi: tuple[float, float],
-    psi_count: int | None,
-    psi_scale: Scale,
-    damping: tuple[float, float],
-    damping_count: int | None,
-    damping_scale: Scale,
-    error: float | None,
-    sign: Sign,
-    form: str,
+    /,
     seconds: float,
     out: BinaryIO,
     store: Path | None,
     scheduler: str | None,
     workers: int | None,
+    **given: str | tuple[str, str] | None,
 ) -> None:
     """Write ε_t over κ and ψ, or κ, ψ and η, for another code, with its error of interpolation."""
-    if error is not None and (kappa_count or psi_count or damping_count):
-        raise click.UsageError("--error decides about the counts: leave them out")
-    third: Axis | float = Axis(*damping, damping_count or 10, damping_scale, "damping ")
-    if damping[0] == damping[1]:
-        third = damping[0]
-    axes = (
-        Axis(*kappa, kappa_count or 200, kappa_scale, "kappa "),
-        Axis(*psi, psi_count or 150, psi_scale, "psi "),
-    )
+    try:
+        query = read_query(TableQuery, list(_as_query(given)))
+    except RefusedParametersError as refused:
+        raise click.ClickException("\n".join(sentences(refused.errors))) from refused
     if store:
-        _refuse_given(context, ("error", "form", "out", "seconds"), "--store")
-        _large_table(store, TableGrid(*axes, third), sign, scheduler, workers)
+        _refuse_given(context, ("error", "format", "out", "seconds"), "--store")
+        grid = TableGrid(*query.axes, query.third)
+        _large_table(store, grid, query.sign, scheduler, workers)
         return
     _refuse_given(context, ("scheduler", "workers"), "a table without --store")
-    asked = *axes, sign, third
     try:
-        if error is None:
-            found = study_table(*asked, seconds=seconds)
-        else:
-            found = study_table_within(error, *asked, seconds=seconds)
+        found = tabulated_as(query, seconds)
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
-    out.write(_written(table_result(found), form))
+    out.write(_written(table_result(found), query.format))
     counts = " × ".join(str(count) for count in reversed(found.shape))
     click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
+
+
+def _as_query(given: dict[str, str | tuple[str, str] | None]) -> Iterator[tuple[str, str]]:
+    """Yield the options of a table as the parameters of ``GET /table``."""
+    for name, value in given.items():
+        if isinstance(value, str):
+            yield name, value
+        elif name == "damping" and value and value[0] == value[1]:
+            yield name, value[0]
+        elif value:
+            yield f"{name}_min", value[0]
+            yield f"{name}_max", value[1]
 
 
 def _refuse_given(context: click.Context, names: tuple[str, ...], beside: str) -> None:

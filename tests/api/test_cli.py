@@ -90,8 +90,8 @@ def test_collide_refuses_in_words(arguments, given, words):
 def test_table_is_that_of_the_service(service):
     small = {"kappa_min": 3, "kappa_max": 6, "kappa_count": 5, "psi_min": 0.1, "psi_max": 2}
     answer = service.get("/table", **small, psi_count=4, format="c")
-    kappa = ["--kappa", "3", "6", "--kappa-count", "5", "--kappa-scale", "linear"]
-    psi = ["--psi", "0.1", "2", "--psi-count", "4", "--psi-scale", "linear"]
+    kappa = ["--kappa", "3", "6", "--kappa-count", "5"]
+    psi = ["--psi", "0.1", "2", "--psi-count", "4"]
     done = run("table", *kappa, *psi, "--format", "c")
     assert done.stdout == answer.text
     assert "5 × 4 entries, error at most" in done.stderr
@@ -107,9 +107,9 @@ def test_table_goes_to_a_file(tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--error", "0.1", "--kappa-count", "5"], "leave them out"),
-        (["--kappa", "6", "3"], "kappa maximum"),
-        (["--psi", "0", "1"], "psi minimum"),
+        (["--error", "0.1", "--kappa-count", "5"], "left out, as `error` is given"),
+        (["--kappa", "6", "3"], "kappa_max must be greater"),
+        (["--psi", "0", "1", "--psi-scale", "log"], "psi_min must be > 0"),
         (["--error", "1e-9", "--seconds", "0.2"], "s of one core"),
         (["--error", "0"], "error"),
         (["--kappa", "nan", "3"], "kappa"),

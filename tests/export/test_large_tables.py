@@ -36,8 +36,9 @@ DAMPED_PLANE = TableGrid(Axis(0.5, 30.0, 90, "log"), Axis(0.0, 3.0, 70), 0.2)
 SPACE = TableGrid(Axis(2.0, 30.0, 31, "log"), Axis(0.05, 2.0, 29, "log"), Axis(0.0, 0.4, 7))
 LONG = TableGrid(Axis(0.5, 60.0, 500, "log"), Axis(0.05, 2.0, 500, "log"), 0.0)
 LONG_CHUNK = 10_000
+LOG = ["--kappa-scale", "log", "--psi-scale", "log"]
 LONG_OPTIONS = ["--kappa", "0.5", "60", "--kappa-count", "500",
-                "--psi", "0.05", "2", "--psi-count", "500"]  # fmt: skip
+                "--psi", "0.05", "2", "--psi-count", "500", *LOG]  # fmt: skip
 SIZES = pytest.mark.parametrize("grid", [PLANE, DAMPED_PLANE, SPACE], ids=["two", "eta", "three"])
 SIGNS = pytest.mark.parametrize("sign", ["paper", "reversed"])
 
@@ -171,7 +172,7 @@ def test_killed_run_goes_on_with_what_is_missing(tmp_path, cluster, undisturbed)
 def test_finished_table_is_left_as_it_is_by_the_command(tmp_path):
     path = tmp_path / "table.zarr"
     options = ["--kappa", "3", "6", "--kappa-count", "9", "--psi", "0.1", "2", "--psi-count", "8"]
-    third = ["--damping", "0", "0.2", "--damping-count", "3"]
+    third = [*LOG, "--damping", "0", "0.2", "--damping-count", "3"]
     grid = TableGrid(Axis(3.0, 6.0, 9, "log"), Axis(0.1, 2.0, 8, "log"), Axis(0.0, 0.2, 3))
     open_store(path, grid, "paper", 40)
     for index in missing_chunks(path)[0]:

@@ -230,7 +230,7 @@ class MapQuery(KappaEdge, ComputedQuery):
         return self.kappa_axis, _edge(self, "gt_over_gn_")
 
 
-TABLE_FORMATS = ("csv", "npz", "c", "python")
+TableFormat = Literal["csv", "npz", "c", "python"]
 
 WantedError = Annotated[float, Ge(1e-12), Le(1), Meaning("largest error wanted")]
 PsiEdge = Meaning("psi at an edge of the map")
@@ -252,7 +252,7 @@ class TableQuery(KappaEdge):
     damping_scale: Scale = "linear"
     error: WantedError | None = None
     sign: Sign = "paper"
-    format: Literal["csv", "npz", "c", "python"] = "csv"
+    format: TableFormat = "csv"
 
     @staticmethod
     def fill(given: Mapping[str, str]) -> dict[str, Any]:

@@ -8,9 +8,9 @@ from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy
 from restitution.studies.collision.one import CollisionStudy
 from restitution.studies.spheres.collision import ScalingStudy
-from restitution.studies.tables.export import RestitutionTable
+from restitution.studies.tables.export import RestitutionTable, study_table, study_table_within
 from restitution.wire.formats import Payload, Result, flattened
-from restitution.wire.queries import CollisionQuery, as_understood
+from restitution.wire.queries import CollisionQuery, TableQuery, as_understood
 
 
 def collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
@@ -53,6 +53,14 @@ def _row(payload: Payload) -> Payload:
         for i, axis in enumerate("xyz")
     }
     return flattened(row)
+
+
+def tabulated_as(query: TableQuery, seconds: float) -> RestitutionTable:
+    """Return the table that is asked for, by counts or by an error."""
+    asked = *query.axes, query.sign, query.third
+    if query.error is None:
+        return study_table(*asked, seconds=seconds)
+    return study_table_within(query.error, *asked, seconds=seconds)
 
 
 def table_result(table: RestitutionTable) -> Result:

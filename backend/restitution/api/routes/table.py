@@ -1,12 +1,11 @@
 """Tables of ε_t for other codes."""
 
 from restitution.api.calls import Calls
-from restitution.studies.tables.export import study_table, study_table_within
 from restitution.studies.tables.grid import TableGrid
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.formats import Result
 from restitution.wire.queries import TableQuery
-from restitution.wire.results import table_result
+from restitution.wire.results import table_result, tabulated_as
 
 MOST_SECONDS = 5.0
 """Of one core, for one request."""
@@ -27,7 +26,4 @@ def table(query: TableQuery) -> Result:
 
     `damping` holds for all entries, or is a third axis up to `damping_max`.
     """
-    asked = *query.axes, query.sign, query.third
-    if query.error is None:
-        return table_result(study_table(*asked, seconds=MOST_SECONDS))
-    return table_result(study_table_within(query.error, *asked, seconds=MOST_SECONDS))
+    return table_result(tabulated_as(query, MOST_SECONDS))
