@@ -22,7 +22,7 @@ WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench times load tradeoff verify screenshots fonts lock clean
+.PHONY: help serve test check format bench times load tradeoff verify screenshots types fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -44,6 +44,7 @@ check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/hadolint Dockerfile
+	@mkdir -p build && $(BIN)/restitution openapi > build/openapi.json
 	$(NPM) run --silent check
 
 format: $(DEVELOPMENT) $(MODULES) ## rewrite what a tool can put right
@@ -70,6 +71,10 @@ verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a t
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py
+
+types: $(DEVELOPMENT) $(MODULES) ## frontend/api/openapi.d.ts from the document of the service
+	@mkdir -p build && $(BIN)/restitution openapi > build/openapi.json
+	@$(NPM) run --silent types
 
 fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fonts come in
 	@$(BIN)/python deploy/make_fonts.py

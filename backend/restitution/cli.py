@@ -13,13 +13,14 @@ import click
 import uvicorn
 from click.core import ParameterSource
 
+from restitution.api.app import create_app
 from restitution.api.page import compress_page
 from restitution.api.settings import Settings
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
 from restitution.studies.accuracy.report import tradeoff_report
-from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.scenes import SCENES, SceneName
 from restitution.studies.accuracy.tradeoff import (
     STORED,
     load_tradeoff,
@@ -83,6 +84,12 @@ def warm() -> None:
 
 
 @main.command()
+def openapi() -> None:
+    """Write the OpenAPI document of the service, for generators of clients."""
+    click.echo(json.dumps(create_app().openapi(), ensure_ascii=False, indent=1))
+
+
+@main.command()
 @click.option(
     "--scene", "scenes", type=click.Choice(list(SCENES)), multiple=True, help="All by default."
 )
@@ -97,7 +104,7 @@ def warm() -> None:
     type=click.Path(dir_okay=False, path_type=Path),
     help="Markdown to write about all that it holds then.",
 )
-def tradeoff(scenes: tuple[str, ...], out: Path, report: Path | None) -> None:
+def tradeoff(scenes: tuple[SceneName, ...], out: Path, report: Path | None) -> None:
     """Measure cost and error of every method on the collisions of a scene."""
     for scene in scenes or SCENES:
         with click.progressbar(length=1000, label=f"{scene:10}") as bar:

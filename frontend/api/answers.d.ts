@@ -1,25 +1,22 @@
-/** What this page reads of the server's answers, and what it asks that has a form of its own. */
+/**
+ * What this page reads of the server's answers. Their shapes are the server's, as its document says
+ * (`openapi.d.ts`); what is said here is what the page has made of them: arrays decoded, times added.
+ */
 
 import type { MapView } from "../state/map-view.js";
-import type { Collision } from "../state/parameters.js";
-import type { Row } from "../figures/tradeoff-figure.js";
+import type { components } from "./openapi.js";
 
-/** Of `/collision`. */
-export type CollisionAnswer = {
+type Schemas = components["schemas"];
+
+/** Of `/collision`; the page asks for all of its quantities. */
+export type CollisionAnswer = Omit<
+  Schemas["Collision"],
+  "episodes" | "energy" | "estimates" | "summary"
+> & {
   episodes: Episode[];
-  parameters: Collision & { psi: number | null };
-  epsilon_t: number;
-  epsilon_n: number;
-  switches: number | null;
-  reversals: number | null;
-  contact_duration: number;
-  energy: { initial: number; final: number; dissipated: number };
-  estimates: { coulomb: number };
+  energy: Schemas["Energy"];
+  estimates: Schemas["Estimates"];
   summary: string;
-  convention: string;
-  limit: boolean;
-  method: string;
-  error_bound: number;
   /** The server's own computing time. */
   milliseconds: number | null;
 };
@@ -40,12 +37,7 @@ export type Columns = Record<
   Float64Array
 >;
 
-export type Episode = {
-  regime: "sliding" | "sticking";
-  start: number;
-  end: number;
-  direction: number;
-};
+export type Episode = Schemas["Episode"];
 
 export type MapGrid = {
   kappa: Float64Array;
@@ -64,26 +56,7 @@ export type Cut = { switches: Int32Array | Float64Array } & Record<
   Float64Array
 >;
 
-/** Of `/scaling`. */
-export type Scaling = {
-  kappa: number;
-  mu_over_alpha: number;
-  gt_over_gn: number;
-  damping: number;
-  psi: number | null;
-  alpha: number;
-  effective_mass_kg: number;
-  tangential_stiffness_n_per_m: number;
-  normal_velocity_m_s: number;
-  tangential_velocity_m_s: number;
-  contact_duration_s: number;
-  maximum_compression_m: number;
-  maximum_normal_force_n: number;
-  epsilon_n: number;
-  epsilon_t: number | null;
-  switches: number | null;
-  warnings: { code: string; text: string }[];
-};
+export type Scaling = Schemas["Scaling"];
 
 /** Of `/scaling/map`. */
 export type VelocityMap = {
@@ -99,40 +72,8 @@ export type Stepped = {
   method_tangential_force_over_mu: Float64Array;
 };
 
-/** Of `/tradeoff`. */
-export type Tradeoff = {
-  scene: string;
-  measured_at: string;
-  machine: string;
-  rows: Row[];
-  can_be_measured_anew: boolean;
-};
-
-/** Of `/tradeoff/runs`. */
-export type Run = {
-  id: string;
-  scene: string;
-  state: "running" | "done" | "cancelled" | "failed";
-  progress: number;
-  result: Omit<Tradeoff, "can_be_measured_anew"> | null;
-};
-
-/** Of `/steps`. */
-export type StepsAnswer = {
-  stability_limit: number;
-  needed: Record<string, { p95: number | null; worst: number | null }>;
-  rule: {
-    steps_max: number;
-    velocity_verlet: { error_p95: number | null; error_max: number | null };
-  };
-};
-
-/** Of `/presets`. */
-export type Preset = Collision & {
-  id: string;
-  title: string;
-  alpha: number;
-  source: string;
-  link: string;
-  caption: string;
-};
+export type Row = Schemas["Row"];
+export type Tradeoff = Schemas["Tradeoff"];
+export type Run = Schemas["Run"];
+export type StepsAnswer = Schemas["Steps"];
+export type Preset = Schemas["Preset"];

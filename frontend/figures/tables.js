@@ -1,5 +1,6 @@
 // @ts-check
 
+import { lostShare } from "../format/energy.js";
 import { ABSENT, errorBound, percentage, significant, typable } from "../format/number.js";
 import { placesAmong, spreadIndices } from "./sample.js";
 
@@ -24,7 +25,6 @@ const MAP_COLUMNS = 8;
 /** @param {import("../api/answers.js").CollisionAnswer} result @returns {Table} */
 export function resultTable(result) {
   const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
-  const { initial, dissipated } = result.energy;
   return {
     caption: `The collision: ${result.summary}`,
     headings: ["quantity", "value"],
@@ -40,7 +40,7 @@ export function resultTable(result) {
       ["switches", String(result.switches ?? ABSENT)],
       ["turns", String(result.reversals ?? ABSENT)],
       ["contact t_c", significant(result.contact_duration, 6)],
-      ["energy lost", percentage(initial > 0 ? dissipated / initial : 0)],
+      ["energy lost", percentage(lostShare(result))],
       ["method", result.method],
     ],
   };

@@ -6,8 +6,8 @@ import { baseLayout, plainAxis } from "./plot-area.js";
 /**
  * @typedef {import("./theme.js").Theme} Theme
  * @typedef {"error_median" | "error_p95" | "error_max"} Statistic
- * @typedef {{method: string, options: Record<string, string | number>, microseconds_per_collision: number, wrong_sign: number, wrong_switches: number | null} & Record<Statistic, number>} Row
- *   its numbers are null where the method refused every collision
+ * @typedef {import("../api/answers.js").Row} Row its numbers are null where the method refused every collision
+ * @typedef {Row & Record<"microseconds_per_collision" | "wrong_sign" | Statistic, number>} AnsweredRow
  */
 
 export const TRADEOFF_MARGIN = { l: 64, r: 16, t: 8, b: 46 };
@@ -109,7 +109,9 @@ export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
  * @param {Row[]} rows
  */
 export function seriesOf(rows) {
-  const answered = rows.filter((row) => row.microseconds_per_collision !== null);
+  const answered = /** @type {AnsweredRow[]} */ (
+    rows.filter((row) => row.microseconds_per_collision !== null)
+  );
   return SERIES.map((series) => ({ ...series, rows: answered.filter(series.has) })).filter(
     (series) => series.rows.length > 0,
   );
@@ -143,7 +145,7 @@ function line({ name, rows, color, dash = "solid", symbol }, statistic, theme) {
 
 /**
  * Around what the page is set to.
- * @param {Row[]} rows
+ * @param {AnsweredRow[]} rows
  * @param {Statistic} statistic
  * @param {Theme} theme
  */
@@ -165,7 +167,7 @@ function ring(rows, statistic, theme) {
 
 /**
  * @param {string} name
- * @param {Row} row
+ * @param {AnsweredRow} row
  */
 function describe(name, row) {
   const knobs = Object.entries(row.options)

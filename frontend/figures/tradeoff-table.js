@@ -1,6 +1,6 @@
 // @ts-check
 
-import { ABSENT, percentage, significant } from "../format/number.js";
+import { percentage, significant } from "../format/number.js";
 
 /**
  * All that was measured in a region.
@@ -15,12 +15,12 @@ export function tradeoffTable({ rows, machine, measured_at: measuredAt }) {
       [row.method, ...Object.entries(row.options).map(([knob, value]) => `${knob} ${value}`)].join(
         ", ",
       ),
-      significant(row.microseconds_per_collision, 2),
-      significant(row.error_median, 2),
-      significant(row.error_p95, 2),
-      significant(row.error_max, 2),
-      percentage(row.wrong_sign),
-      row.wrong_switches === null ? ABSENT : percentage(row.wrong_switches),
+      significant(row.microseconds_per_collision ?? NaN, 2),
+      significant(row.error_median ?? NaN, 2),
+      significant(row.error_p95 ?? NaN, 2),
+      significant(row.error_max ?? NaN, 2),
+      percentage(row.wrong_sign ?? NaN),
+      percentage(row.wrong_switches ?? NaN),
     ]),
   };
 }

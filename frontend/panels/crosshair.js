@@ -129,7 +129,7 @@ export function mountCrosshair(element, axes, onPlace) {
   }
 
   return {
-    /** The axes of the map below it. @param {NonNullable<typeof view>} next */
+    /** The axes of the map below it. @param {View} next */
     lieOn(next) {
       view = next;
       move();

@@ -57,7 +57,7 @@ export function mountMap(element, { onPlace, onOption }) {
     legend,
 
     /**
-     * @param {NonNullable<typeof shown>} map
+     * @param {import("../figures/map-figure.js").ShownMap} map
      * @param {"flat" | "surface"} shape
      */
     show(map, shape) {

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { lostShare } from "../format/energy.js";
 import { approximate, duration, errorBound, percentage, significant } from "../format/number.js";
 import { byTestId, find } from "./find.js";
 import { typeset } from "./typeset.js";
@@ -65,7 +66,7 @@ export function mountResultStrip(element) {
       }
       epsilon.title = result.convention;
       write(reversals, count(result.reversals));
-      write(energyLost, lostShare(result.energy));
+      write(energyLost, percentage(lostShare(result)));
       write(contactDuration, significant(result.contact_duration));
       write(psi, significant(result.parameters.psi ?? Infinity));
       write(epsilonN, significant(result.epsilon_n));
@@ -82,9 +83,4 @@ export function mountResultStrip(element) {
 /** @param {number | null} value */
 function count(value) {
   return value === null ? "–" : String(value);
-}
-
-/** @param {{initial: number, dissipated: number}} energy */
-function lostShare({ initial, dissipated }) {
-  return percentage(initial > 0 ? dissipated / initial : 0);
 }

@@ -28,7 +28,7 @@ export function createSurface(stage) {
   }
 
   return {
-    /** @param {NonNullable<typeof shown>} map */
+    /** @param {Omit<Subject, "place">} map */
     show(map) {
       shown = map;
       if (!open) {

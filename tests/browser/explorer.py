@@ -133,7 +133,7 @@ def strip_for(answer: dict) -> dict[str, object]:
         "epsilon-t": four_digits(answer["epsilon_t"]),
         "switches": str(answer["switches"]),
         "reversals": str(answer["reversals"]),
-        "energy-lost": percentage(answer["energy"]),
+        "energy-lost": percentage(0.0 if answer["limit"] else answer["energy"]["dissipated_share"]),
         "contact-duration": four_digits(answer["contact_duration"]),
         "psi": float("inf") if psi is None else four_digits(psi),
         "summary": answer["summary"],
@@ -144,8 +144,7 @@ def four_digits(value: float) -> float:
     return float(f"{value:.4g}")
 
 
-def percentage(energy: dict[str, float]) -> str:
-    share = energy["dissipated"] / energy["initial"] if energy["initial"] > 0 else 0.0
+def percentage(share: float) -> str:
     percent = 100 * share
     if share in {0.0, 1.0}:
         digits = f"{percent:.0f}"

@@ -11,9 +11,11 @@ from typing import Any, Literal, get_args
 from fastapi import FastAPI
 from fastapi.routing import APIRoute
 from pydantic import TypeAdapter
+from pydantic.json_schema import GenerateJsonSchema
+from typing_extensions import is_typeddict
 
 from restitution.bounds import Meaning, annotations, requirement, said
-from restitution.wire.answers import Problem
+from restitution.wire import answers
 from restitution.wire.reading import adapter
 
 Described = dict[int | str, dict[str, Any]]
@@ -227,7 +229,11 @@ def _complete(document: dict[str, Any], bodies: list[type]) -> None:
                     # FastAPI's own words beside it
                     response.pop("description", None)
     components = document["components"]
-    components["schemas"] |= _schemas(Problem, *bodies)
+    # those that FastAPI names, anew: it says of a member with a default that it may be missing
+    named = components["schemas"].keys() | {"Problem"}
+    whole = [each for each in vars(answers).values() if getattr(each, "__name__", "") in named]
+    components["schemas"] |= _schemas("serialization", *filter(is_typeddict, whole))
+    components["schemas"] |= _schemas("validation", *bodies)
     components["parameters"] = {"IfNoneMatch": IF_NONE_MATCH}
     components["headers"] = HEADERS
     components["responses"] = _responses()
@@ -241,11 +247,21 @@ IF_NONE_MATCH = {
 }
 
 
-def _schemas(*models: Any) -> dict[str, Any]:
-    """Return the schemas of what no route names as its answer, with all that they refer to."""
+class _Whole(GenerateJsonSchema):
+    """Members of an answer are there, whatever their defaults for those who make it."""
+
+    def field_is_required(self, field: Any, total: bool) -> bool:
+        """Return whether a member is always there."""
+        is_made = self.mode == "serialization" and field["type"] == "dataclass-field"
+        return is_made or super().field_is_required(field, total)
+
+
+def _schemas(mode: Literal["serialization", "validation"], *models: Any) -> dict[str, Any]:
+    """Return the schemas of answers or bodies, with all that they refer to."""
     _, found = TypeAdapter.json_schemas(
-        [(model, "validation", TypeAdapter(model)) for model in models],
+        [(model, mode, TypeAdapter(model)) for model in models],
         ref_template="#/components/schemas/{model}",
+        schema_generator=_Whole,
     )
     schemas: dict[str, Any] = found["$defs"]
     return schemas

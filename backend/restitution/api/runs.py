@@ -5,6 +5,7 @@ import secrets
 import threading
 from dataclasses import dataclass, field
 
+from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.tradeoff import Measurement, study_tradeoff
 
 
@@ -25,7 +26,7 @@ class Run:
     """
 
     id: str
-    scene: str
+    scene: SceneName
     state: str = "running"
     progress: float = 0.0
     result: Measurement | None = None
@@ -57,7 +58,7 @@ class Runs:
         self._lock = threading.Lock()
         self.last: Run | None = None
 
-    def start(self, scene: str) -> Run | None:
+    def start(self, scene: SceneName) -> Run | None:
         """Return a new run, None while another one is under way."""
         with self._lock:
             if self.last and self.last.state == "running":

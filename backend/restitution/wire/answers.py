@@ -13,7 +13,7 @@ from restitution.methods.answer import Integrator
 from restitution.paper import Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
-from restitution.studies.accuracy.tradeoff import Measurement, Row
+from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
 from restitution.studies.collision.one import Episode, Sensitivity
 from restitution.studies.collision.presets import Preset
 from restitution.studies.spheres.bodies import Body, NotNegative, Positive
@@ -271,15 +271,6 @@ class Materials(TypedDict):
     """Real bodies worth a look."""
 
     items: list[Material]
-
-
-class WantedError(TypedDict):
-    """The steps per contact that a wanted error takes, by integrator."""
-
-    error: float
-    needed: dict[str, Needed]
-    rule: dict[str, Spread]
-    rule_steps: Annotated[list[float], Field(min_length=2, max_length=2)]
 
 
 class Tradeoff(TypedDict):

@@ -8,7 +8,7 @@ import numpy.typing as npt
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods import planner
 from restitution.methods.answer import Options
-from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.scenes import SCENES, SceneName
 from restitution.studies.collision.dampings import by_damping
 
 KNOWN = 1e-9
@@ -36,7 +36,7 @@ class Reference:
         return [(eta, self.at(places)) for eta, places in by_damping(self.damping)]
 
 
-def reference(scene: str, count: int) -> Reference:
+def reference(scene: SceneName, count: int) -> Reference:
     """Return the first `count` collisions of a scene whose result is known to `KNOWN`."""
     truth = exact_reference(*SCENES[scene].sample(3 * count))
     return truth.at(np.flatnonzero(truth.error_bound <= KNOWN)[:count])

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from restitution.studies.accuracy.scenes import SCENES
+from restitution.studies.accuracy.scenes import SCENES, SceneName
 
 WANTED = 1e-3
 """Largest error for which the cheapest route is looked up."""
@@ -182,7 +182,7 @@ def _rule(scene: str, steps: dict[str, Any]) -> str:
     return _line([scene, "…".join(_count(count) for count in steps["rule_steps"]), *errors])
 
 
-def tradeoff_report(stored: dict[str, Any]) -> str:
+def tradeoff_report(stored: dict[SceneName, Any]) -> str:
     """Return `stored` (scene → `Measurement` as a dictionary) as Markdown."""
     methods = {row["method"] for kept in stored.values() for row in kept["rows"]}
     text = INTRODUCTION + (PEER if "lammps" in methods else NO_PEER)

@@ -63,7 +63,7 @@ _SLIP = _linear(0.01 / FRICTION, 4.0 / FRICTION)
 
 SceneName = Literal["figure4", "stiff", "solids", "damped", "extremes"]
 
-SCENES: dict[str, Scene] = {
+SCENES: dict[SceneName, Scene] = {
     "figure4": Scene(
         "Figure 4 of the paper: κ 0.1…70, g_t/g_n 0.01…4 at μ/α = 1.4", _linear(0.1, 70.0), _SLIP
     ),

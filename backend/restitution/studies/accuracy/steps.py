@@ -10,6 +10,7 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
 from restitution.mechanics.viscoelastic import contact_duration
 from restitution.studies.accuracy.reference import Reference, exact_reference, reference
+from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision.parameters import CollisionParameters
 
 LADDER = tuple(round(2.0 ** (half / 2)) for half in range(4, 33))
@@ -92,7 +93,7 @@ class StepsStudy:
     ladder: list[tuple[str, int, Spread]]
 
 
-def study_steps(error: float, where: CollisionParameters | str) -> StepsStudy:
+def study_steps(error: float, where: CollisionParameters | SceneName) -> StepsStudy:
     """Return the steps per contact that keep |ε_t − exact| within `error`.
 
     Parameters

@@ -22,13 +22,12 @@ from restitution.studies.accuracy.candidates import (
     COLLISIONS,
     Candidate,
     Counts,
-    Knobs,
     Run,
     candidates,
 )
 from restitution.studies.accuracy.reference import Reference, reference
-from restitution.studies.accuracy.scenes import SCENES
-from restitution.studies.accuracy.steps import study_steps
+from restitution.studies.accuracy.scenes import SCENES, SceneName
+from restitution.studies.accuracy.steps import Needed, Spread, study_steps
 from restitution.studies.collision.dampings import by_damping
 
 REPEATS = 5
@@ -62,7 +61,7 @@ class Row:
     """
 
     method: str
-    options: Knobs
+    options: dict[str, str | float]
     collisions: int
     unanswered: float
     microseconds_per_collision: float | None = None
@@ -74,23 +73,32 @@ class Row:
 
 
 @dataclass(frozen=True)
+class WantedError:
+    """The steps per contact that a wanted error takes, by integrator; as of ``GET /steps``."""
+
+    error: float
+    needed: dict[str, Needed]
+    rule: dict[str, Spread]
+    rule_steps: tuple[float, float]
+
+
+@dataclass(frozen=True)
 class Measurement:
     """What was measured on a scene, when and on which machine.
 
     Attributes
     ----------
-    steps : list of dict
-        For some wanted errors, as of ``GET /steps``: `error`, `needed`, `rule`, and of the latter
-        `rule_steps`.
+    steps : list of WantedError
+        For some wanted errors.
     rows : list of Row
         Methods with their knobs.
     """
 
-    scene: str
+    scene: SceneName
     measured_at: str
     machine: str
     model_version: str
-    steps: list[dict[str, Any]]
+    steps: list[WantedError]
     rows: list[Row] = field(default_factory=list)
 
 
@@ -212,7 +220,7 @@ def _one_by_one(
 
 
 def study_tradeoff(
-    scene: str, chosen: Sequence[Candidate] | None = None
+    scene: SceneName, chosen: Sequence[Candidate] | None = None
 ) -> Iterator[tuple[float, Measurement]]:
     """Yield the progress, 0 … 1, and what is measured so far on a scene, row by row.
 
@@ -238,9 +246,9 @@ def study_tradeoff(
         yield done / len(every), measurement
 
 
-def _steps(scene: str, error: float) -> dict[str, Any]:
-    study = asdict(study_steps(error, scene))
-    return {"error": error} | {part: study[part] for part in ("needed", "rule", "rule_steps")}
+def _steps(scene: SceneName, error: float) -> WantedError:
+    study = study_steps(error, scene)
+    return WantedError(error, study.needed, study.rule, study.rule_steps)
 
 
 def machine() -> str:
@@ -260,9 +268,9 @@ STORED = Path(__file__).with_name("tradeoff.json")
 """The last measurement of every scene, kept with the package."""
 
 
-def load_tradeoff(source: Path = STORED) -> dict[str, Any]:
+def load_tradeoff(source: Path = STORED) -> dict[SceneName, Any]:
     """Return stored measurements, scene → `Measurement` as a dictionary."""
-    stored: dict[str, Any] = json.loads(source.read_text())
+    stored: dict[SceneName, Any] = json.loads(source.read_text())
     return stored
 
 
@@ -273,11 +281,11 @@ def store_tradeoff(measurement: Measurement, target: Path = STORED) -> None:
     _write({scene: kept[scene] for scene in SCENES if scene in kept}, target)
 
 
-def _write(stored: dict[str, Any], target: Path) -> None:
+def _write(stored: dict[SceneName, Any], target: Path) -> None:
     target.write_text(json.dumps(stored, indent=1) + "\n")
 
 
-def store_rows(scene: str, rows: Sequence[Row], target: Path = STORED) -> None:
+def store_rows(scene: SceneName, rows: Sequence[Row], target: Path = STORED) -> None:
     """Write rows of a scene beside those of other methods, over the last ones of their own."""
     kept = load_tradeoff(target)
     methods = {row.method for row in rows}
