@@ -27,6 +27,7 @@ from typing import (
 )
 
 import annotated_types as at
+from typing_extensions import TypeAliasType
 
 from restitution.errors import ParameterError
 
@@ -85,8 +86,9 @@ def members(annotation: Any) -> tuple[Any, ...]:
 
 
 def plain(annotation: Any) -> Any:
-    """Return an annotation without its bounds."""
-    return get_args(annotation)[0] if get_origin(annotation) is Annotated else annotation
+    """Return an annotation without its bounds, and what stands behind a name."""
+    bare = get_args(annotation)[0] if get_origin(annotation) is Annotated else annotation
+    return bare.__value__ if isinstance(bare, TypeAliasType) else bare
 
 
 def said(annotation: Any, kind: type[Kind]) -> Kind | None:

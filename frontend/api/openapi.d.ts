@@ -388,6 +388,8 @@ export interface components {
             /** Spin 2 Rad S */
             spin_2_rad_s: number[];
         };
+        /** @enum {string} */
+        AnsweringMethod: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
         /**
          * Caution
          * @description A reason to doubt the result: a word for programs and a sentence for people.
@@ -451,12 +453,8 @@ export interface components {
              * @description whether this is the limit ψ → 0, as g_t = 0
              */
             limit: boolean;
-            /**
-             * Method
-             * @description the one that answered
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+            /** @description the one that answered */
+            method: components["schemas"]["AnsweringMethod"];
             /**
              * Error Bound
              * @description bound on the absolute error of ε_t
@@ -485,7 +483,7 @@ export interface components {
             /** Switches */
             switches?: (number | null)[] | components["schemas"]["TypedArray"];
             /** Method */
-            method: ("exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode")[];
+            method: components["schemas"]["AnsweringMethod"][];
             /** Error Bound */
             error_bound: number[] | components["schemas"]["TypedArray"];
             /** Tolerance Met */
@@ -496,12 +494,8 @@ export interface components {
          * @description Quantities asked for along one parameter.
          */
         Cut: {
-            /**
-             * Method
-             * @description the one that answered, or mixed
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode" | "mixed";
+            /** @description the one that answered, or mixed */
+            method: components["schemas"]["MixedMethod"];
             /**
              * Error Bound
              * @description the largest, on ε_t
@@ -581,7 +575,7 @@ export interface components {
         Health: {
             /**
              * Status
-             * @constant
+             * @enum {string}
              */
             status: "ok";
         };
@@ -638,12 +632,8 @@ export interface components {
          * @description Quantities asked for over κ and g_t/g_n, indexed [gt_over_gn][kappa].
          */
         Map: {
-            /**
-             * Method
-             * @description the one that answered, or mixed
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode" | "mixed";
+            /** @description the one that answered, or mixed */
+            method: components["schemas"]["MixedMethod"];
             /**
              * Error Bound
              * @description the largest, on ε_t
@@ -764,6 +754,10 @@ export interface components {
             /** Rows */
             rows: components["schemas"]["Row"][];
         };
+        /** @enum {string} */
+        Method: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+        /** @enum {string} */
+        MixedMethod: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode" | "mixed";
         /**
          * Moment
          * @description A moment of inertia J in kg m² of one's own.
@@ -814,8 +808,7 @@ export interface components {
             damping: number;
             /** Tolerance */
             tolerance: number;
-            /** Method */
-            method: "auto" | ("exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode");
+            method: components["schemas"]["Method"];
             /** Steps */
             steps: number;
             /**
@@ -897,7 +890,7 @@ export interface components {
         Readiness: {
             /**
              * Status
-             * @constant
+             * @enum {string}
              */
             status: "ready";
         };
@@ -1064,11 +1057,7 @@ export interface components {
              * @description where the collision leaves the model
              */
             warnings: components["schemas"]["Caution"][];
-            /**
-             * Method
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+            method: components["schemas"]["AnsweringMethod"];
             /**
              * Error Bound
              * @description bound on the absolute error of ε_t
@@ -1123,28 +1112,28 @@ export interface components {
              * Mass Kg
              * @default null
              */
-            mass_kg: number | null;
+            mass_kg?: number | null;
             /**
              * Density Kg M3
              * @default null
              */
-            density_kg_m3: number | null;
+            density_kg_m3?: number | null;
             /**
              * Inertia
              * @default solid
              */
-            inertia: ("solid" | "hollow") | components["schemas"]["Moment"];
+            inertia?: ("solid" | "hollow") | components["schemas"]["Moment"];
             /**
              * Yield Stress Pa
              * @default null
              */
-            yield_stress_pa: number | null;
+            yield_stress_pa?: number | null;
             /**
              * Wall
              * @default false
              * @constant
              */
-            wall: false;
+            wall?: false;
         };
         /**
          * Spread
@@ -1270,12 +1259,8 @@ export interface components {
              * @description whether this is the limit ψ → 0, as g_t = 0
              */
             limit: boolean;
-            /**
-             * Method
-             * @description the one that answered
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+            /** @description the one that answered */
+            method: components["schemas"]["AnsweringMethod"];
             /**
              * Error Bound
              * @description bound on the absolute error of ε_t
@@ -1374,12 +1359,8 @@ export interface components {
          * @description Quantities asked for over both velocities, indexed [tangential][normal].
          */
         VelocityMap: {
-            /**
-             * Method
-             * @description the one that answered, or mixed
-             * @enum {string}
-             */
-            method: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode" | "mixed";
+            /** @description the one that answered, or mixed */
+            method: components["schemas"]["MixedMethod"];
             /**
              * Error Bound
              * @description the largest, on ε_t
@@ -1441,13 +1422,13 @@ export interface components {
              * Yield Stress Pa
              * @default null
              */
-            yield_stress_pa: number | null;
+            yield_stress_pa?: number | null;
             /**
              * Wall
              * @default true
              * @constant
              */
-            wall: true;
+            wall?: true;
         };
         /**
          * WantedError
@@ -1525,48 +1506,44 @@ export interface components {
              * @description largest absolute error wanted in ε_t
              * @default 1e-10
              */
-            tolerance: number;
-            /**
-             * Method
-             * @default auto
-             * @enum {string}
-             */
-            method: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+            tolerance?: number;
+            /** @default auto */
+            method?: components["schemas"]["Method"];
             /**
              * Steps
              * @description steps per contact of `timestep`
              * @default 50
              */
-            steps: number;
+            steps?: number;
             /**
              * Integrator
              * @default velocity_verlet
              * @enum {string}
              */
-            integrator: "velocity_verlet" | "symplectic_euler" | "forward_euler";
+            integrator?: "velocity_verlet" | "symplectic_euler" | "forward_euler";
             /**
              * Phase
              * @description where in a step of `timestep` the contact begins
              * @default 0
              */
-            phase: number;
+            phase?: number;
             /**
              * Rtol
              * @description relative tolerance of `ode`
              * @default 1e-9
              */
-            rtol: number;
+            rtol?: number;
             /**
              * Floor
              * @description ε₀ of `pragmatic`
              * @default 0
              */
-            floor: number;
+            floor?: number;
             /**
              * Share
              * @default 1
              */
-            share: number;
+            share?: number;
             /** Kappa */
             kappa: number | number[] | components["schemas"]["NumbersInBase64"];
             /** Mu Over Alpha */
@@ -1612,7 +1589,7 @@ export interface components {
              *       0
              *     ]
              */
-            spin_1_rad_s: [
+            spin_1_rad_s?: [
                 number,
                 number,
                 number
@@ -1625,7 +1602,7 @@ export interface components {
              *       0
              *     ]
              */
-            spin_2_rad_s: [
+            spin_2_rad_s?: [
                 number,
                 number,
                 number
@@ -1644,13 +1621,13 @@ export interface components {
              * Count
              * @default 200
              */
-            count: number;
+            count?: number;
             /**
              * Scale
              * @default linear
              * @enum {string}
              */
-            scale: "linear" | "log";
+            scale?: "linear" | "log";
         };
         /**
          * NumbersInBase64
@@ -1693,32 +1670,32 @@ export interface components {
              * Dissipative Constant S
              * @default 0
              */
-            dissipative_constant_s: number;
+            dissipative_constant_s?: number;
             /**
              * Id
              * @default null
              */
-            id: unknown;
+            id?: unknown;
             /**
              * Title
              * @default null
              */
-            title: unknown;
+            title?: unknown;
             /**
              * Source
              * @default null
              */
-            source: unknown;
+            source?: unknown;
             /**
              * Notes
              * @default null
              */
-            notes: unknown;
+            notes?: unknown;
             /**
              * Measured
              * @default null
              */
-            measured: unknown;
+            measured?: unknown;
             /** Impact */
             impact: components["schemas"]["Velocities"] | components["schemas"]["Impact"];
         };
@@ -1742,37 +1719,37 @@ export interface components {
              * Dissipative Constant S
              * @default 0
              */
-            dissipative_constant_s: number;
+            dissipative_constant_s?: number;
             /**
              * Id
              * @default null
              */
-            id: unknown;
+            id?: unknown;
             /**
              * Title
              * @default null
              */
-            title: unknown;
+            title?: unknown;
             /**
              * Source
              * @default null
              */
-            source: unknown;
+            source?: unknown;
             /**
              * Notes
              * @default null
              */
-            notes: unknown;
+            notes?: unknown;
             /**
              * Measured
              * @default null
              */
-            measured: unknown;
+            measured?: unknown;
             /**
              * Impact
              * @default null
              */
-            impact: unknown;
+            impact?: unknown;
             normal_velocity_m_s: components["schemas"]["NormalRange"];
             tangential_velocity_m_s: components["schemas"]["VelocityRange"];
             /** Quantities */
@@ -1782,7 +1759,7 @@ export interface components {
              * @description largest absolute error wanted in ε_t
              * @default 1e-10
              */
-            tolerance: number;
+            tolerance?: number;
         };
         /**
          * VelocityRange
@@ -1797,13 +1774,13 @@ export interface components {
              * Count
              * @default 150
              */
-            count: number;
+            count?: number;
             /**
              * Scale
              * @default linear
              * @enum {string}
              */
-            scale: "linear" | "log";
+            scale?: "linear" | "log";
         };
     };
     responses: {
@@ -1958,7 +1935,7 @@ export interface operations {
                 /** @description largest absolute error wanted in ε_t: from 1e-13 to 1; 1e-10 if left out */
                 tolerance?: number;
                 /** @description one of auto, exact, coulomb, pragmatic, stiff, table, timestep, ode */
-                method?: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+                method?: components["schemas"]["Method"];
                 /** @description steps per contact of `timestep`: an integer from 4 to 1,000,000 */
                 steps?: number;
                 /** @description one of velocity_verlet, symplectic_euler, forward_euler */
@@ -1992,9 +1969,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Collision"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Collision"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2030,7 +2007,7 @@ export interface operations {
                 /** @description largest absolute error wanted in ε_t: from 1e-13 to 1; 1e-10 if left out */
                 tolerance?: number;
                 /** @description one of auto, exact, coulomb, pragmatic, stiff, table, timestep, ode */
-                method?: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+                method?: components["schemas"]["Method"];
                 /** @description steps per contact of `timestep`: an integer from 4 to 1,000,000 */
                 steps?: number;
                 /** @description one of velocity_verlet, symplectic_euler, forward_euler */
@@ -2066,9 +2043,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Trace"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Trace"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2099,7 +2076,7 @@ export interface operations {
                 /** @description largest absolute error wanted in ε_t: from 1e-13 to 1; 1e-10 if left out */
                 tolerance?: number;
                 /** @description one of auto, exact, coulomb, pragmatic, stiff, table, timestep, ode */
-                method?: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+                method?: components["schemas"]["Method"];
                 /** @description steps per contact of `timestep`: an integer from 4 to 1,000,000 */
                 steps?: number;
                 /** @description one of velocity_verlet, symplectic_euler, forward_euler */
@@ -2146,9 +2123,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Cut"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Cut"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2174,7 +2151,7 @@ export interface operations {
                 /** @description largest absolute error wanted in ε_t: from 1e-13 to 1; 1e-10 if left out */
                 tolerance?: number;
                 /** @description one of auto, exact, coulomb, pragmatic, stiff, table, timestep, ode */
-                method?: "auto" | "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+                method?: components["schemas"]["Method"];
                 /** @description steps per contact of `timestep`: an integer from 4 to 1,000,000 */
                 steps?: number;
                 /** @description one of velocity_verlet, symplectic_euler, forward_euler */
@@ -2228,9 +2205,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Map"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Map"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2278,9 +2255,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Collisions"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Collisions"];
                 };
             };
             400: components["responses"]["MalformedBody"];
@@ -2341,9 +2318,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Scaling"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Scaling"];
                 };
             };
             400: components["responses"]["MalformedBody"];
@@ -2417,9 +2394,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["VelocityMap"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["VelocityMap"];
                 };
             };
             400: components["responses"]["MalformedBody"];
@@ -2560,9 +2537,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Tradeoff"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Tradeoff"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2616,9 +2593,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Steps"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Steps"];
                 };
             };
             304: components["responses"]["Unchanged"];
@@ -2735,9 +2712,9 @@ export interface operations {
                     [name: string]: unknown;
                 };
                 content: {
+                    "application/json": components["schemas"]["Paper"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
-                    "application/json": components["schemas"]["Paper"];
                 };
             };
             304: components["responses"]["Unchanged"];

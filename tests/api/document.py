@@ -30,7 +30,7 @@ def resolved(part: Any) -> Any:
     """Return a part of the document, or what it refers to."""
     if "$ref" not in part:
         return part
-    assert part.keys() == {"$ref"}
+    assert part.keys() <= {"$ref", "default"}
     found = DOCUMENT
     for name in part["$ref"].removeprefix("#/").split("/"):
         found = found[name]

@@ -60,7 +60,7 @@ def test_operations_say_what_they_do(operation):
     assert set(operation["tags"]) <= {tag["name"] for tag in DOCUMENT["tags"]}
     for parameter in map(resolved, operation.get("parameters", [])):
         assert parameter["description"], parameter["name"]
-        assert parameter["schema"].keys() & {"type", "enum"}, parameter["name"]
+        assert resolved(parameter["schema"]).keys() & {"type", "enum"}, parameter["name"]
     for status, given in operation["responses"].items():
         response = resolved(given)
         assert response["description"], status
@@ -87,7 +87,7 @@ def test_examples_are_answered_as_described(service, name):
 
 
 def takes(name, form):
-    allowed = {n: p["schema"].get("enum", ()) for n, p in parameters_of(name).items()}
+    allowed = {n: resolved(p["schema"]).get("enum", ()) for n, p in parameters_of(name).items()}
     return all(value in allowed.get(n, ()) for n, value in form.items())
 
 

@@ -136,8 +136,11 @@ def told(model: Any, status: int = 200) -> Described:
 
 
 def _success(model: Any, forms: dict[str, Any], headers: dict[str, Any]) -> dict[str, Any]:
-    answer = {"description": "The answer.", "headers": headers, "content": dict(forms)}
-    return answer if model is None else answer | {"model": model}
+    answer: dict[str, Any] = {"description": "The answer.", "headers": headers}
+    if model is None:
+        return answer | {"content": dict(forms)}
+    # generators of clients take the first
+    return answer | {"model": model, "content": {JSON: {}, **forms}}
 
 
 def about() -> dict[str, Any]:
@@ -158,16 +161,24 @@ def _operation_id(route: APIRoute) -> str:
     return route.name
 
 
+REFERENCE = "#/components/schemas/{model}"
+SCHEMAS = "x-schemas"
+
+
 def asked(query: type, example: Mapping[str, Any] | None = None) -> dict[str, Any]:
     """Return what an operation says of its parameters; those that it needs stand first."""
-    schema = adapter(query).json_schema()
+    schema = adapter(query).json_schema(ref_template=REFERENCE)
     needed = schema.get("required", [])
     found = [
         _parameter(name, annotation, schema["properties"][name], is_needed=name in needed)
         | ({"example": example[name]} if example and name in example else {})
         for name, annotation in annotations(query).items()
     ]
-    return {"parameters": sorted(found, key=lambda parameter: not parameter["required"])}
+    return {
+        "parameters": sorted(found, key=lambda parameter: not parameter["required"]),
+        # taken from there when the document is complete
+        SCHEMAS: schema.get("$defs", {}),
+    }
 
 
 def _parameter(
@@ -186,7 +197,7 @@ def _parameter(
     words = requirement(annotation)
     description = f"{meaning.text}: {words}" if meaning else words
     schema.pop("description", None)
-    if schema["type"] == "number" and "e-" in repr(schema.get("default")):
+    if schema.get("type") == "number" and "e-" in repr(schema.get("default")):
         # Swagger UI takes 1e-10 for no number and would refuse to send its own default
         description += f"; {schema.pop('default'):g} if left out"
     return {
@@ -219,8 +230,10 @@ def install(app: FastAPI, bodies: list[type]) -> None:
 
 
 def _complete(document: dict[str, Any], bodies: list[type]) -> None:
+    schemas = document["components"]["schemas"]
     for operations in document["paths"].values():
         for operation in operations.values():
+            schemas |= operation.pop(SCHEMAS, {})
             if "304" in operation["responses"]:
                 known = {"$ref": "#/components/parameters/IfNoneMatch"}
                 operation.setdefault("parameters", []).append(known)
@@ -247,11 +260,21 @@ IF_NONE_MATCH = {
 }
 
 
-class _Whole(GenerateJsonSchema):
-    """Members of an answer are there, whatever their defaults for those who make it."""
+class _ForClients(GenerateJsonSchema):
+    """Schemas as generators of clients need them."""
+
+    def literal_schema(self, schema: Any) -> Any:
+        """Return the schema of words; a single one is a choice, too, for it may have another kind.
+
+        openapi-python-client takes ``const`` for all that there is and reads no number beside it.
+        """
+        found = super().literal_schema(schema)
+        if isinstance(found.get("const"), str):
+            found["enum"] = [found.pop("const")]
+        return found
 
     def field_is_required(self, field: Any, total: bool) -> bool:
-        """Return whether a member is always there."""
+        """Return whether a member is always there: of an answer, whatever its default."""
         is_made = self.mode == "serialization" and field["type"] == "dataclass-field"
         return is_made or super().field_is_required(field, total)
 
@@ -260,8 +283,8 @@ def _schemas(mode: Literal["serialization", "validation"], *models: Any) -> dict
     """Return the schemas of answers or bodies, with all that they refer to."""
     _, found = TypeAdapter.json_schemas(
         [(model, mode, TypeAdapter(model)) for model in models],
-        ref_template="#/components/schemas/{model}",
-        schema_generator=_Whole,
+        ref_template=REFERENCE,
+        schema_generator=_ForClients,
     )
     schemas: dict[str, Any] = found["$defs"]
     return schemas

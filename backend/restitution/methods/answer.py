@@ -6,13 +6,18 @@ from typing import Annotated, Literal
 import numpy as np
 import numpy.typing as npt
 from annotated_types import Ge, Le
+from typing_extensions import TypeAliasType
 
 from restitution.bounds import Meaning, closed
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 
-Method = Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
+# with a name of its own in documents: generators of clients make a class of it
+Method = TypeAliasType(
+    "Method",
+    Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
+)
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), Meaning("η = (3/2) A β^{2/5} g_n^{1/5}")]
 

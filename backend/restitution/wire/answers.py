@@ -7,9 +7,9 @@ that an answer may lack is `NotRequired`, a number that may not exist is null.
 from typing import Annotated, Any, Literal, NotRequired
 
 from pydantic import Field
-from typing_extensions import TypedDict
+from typing_extensions import TypeAliasType, TypedDict
 
-from restitution.methods.answer import Integrator
+from restitution.methods.answer import Integrator, Method
 from restitution.paper import Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
@@ -21,8 +21,15 @@ from restitution.studies.spheres.impact import Velocities
 from restitution.studies.spheres.materials import Measured
 from restitution.studies.spheres.validity import Caution
 
-Method = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"]
-Mixed = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"]
+# of names of their own, as `methods.answer.Method` has one
+AnsweringMethod = TypeAliasType(
+    "AnsweringMethod",
+    Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
+)
+MixedMethod = TypeAliasType(
+    "MixedMethod",
+    Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"],
+)
 Bound = Annotated[float, Field(ge=0, description="bound on the absolute error of ε_t")]
 Epsilon = Annotated[
     float, Field(description="ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
@@ -55,7 +62,7 @@ class Parameters(TypedDict):
     gt_over_gn: float
     damping: float
     tolerance: float
-    method: Literal["auto"] | Method
+    method: Method
     steps: int
     integrator: Integrator
     phase: float
@@ -101,7 +108,7 @@ class Collision(TypedDict):
     sensitivity: Sensitivity | None
     summary: Annotated[str | None, Field(description="the collision in a sentence")]
     limit: Annotated[bool, Field(description="whether this is the limit ψ → 0, as g_t = 0")]
-    method: Annotated[Method, Field(description="the one that answered")]
+    method: Annotated[AnsweringMethod, Field(description="the one that answered")]
     error_bound: Bound
     tolerance_met: Certain
     convention: Convention
@@ -131,7 +138,7 @@ class Trace(Collision):
 class ManyCollisions(TypedDict):
     """What holds for all collisions of a cut or map."""
 
-    method: Annotated[Mixed, Field(description="the one that answered, or mixed")]
+    method: Annotated[MixedMethod, Field(description="the one that answered, or mixed")]
     error_bound: Annotated[float, Field(ge=0, description="the largest, on ε_t")]
     tolerance_met: Annotated[bool, Field(description="by all of them")]
 
@@ -190,7 +197,7 @@ class Collisions(TypedDict):
     epsilon_t: NotRequired[Numbers]
     epsilon_n: NotRequired[Numbers]
     switches: NotRequired[Counts]
-    method: list[Method]
+    method: list[AnsweringMethod]
     error_bound: Numbers
     tolerance_met: list[bool]
 
@@ -233,7 +240,7 @@ class Scaling(TypedDict):
     switches: int | None
     after: Annotated[After | None, Field(description="null if the impact was given by g_n and g_t")]
     warnings: Annotated[list[Caution], Field(description="where the collision leaves the model")]
-    method: Method
+    method: AnsweringMethod
     error_bound: Bound
     tolerance_met: Certain
     convention: Convention
