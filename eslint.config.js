@@ -3,7 +3,7 @@ import { defineConfig, globalIgnores } from "eslint/config";
 import globals from "globals";
 
 export default defineConfig([
-  globalIgnores([".venv/", "build/", "frontend/vendor/"]),
+  globalIgnores([".venv/", "build/"]),
   js.configs.recommended,
   {
     rules: {

@@ -27,7 +27,7 @@ LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}
 MODULES_MAY_IMPORT = {
     "figures": {"figures", "format"},
     "format": {"format"},
-    "state": {"state", "api", "format", "vendor"},
+    "state": {"state", "api", "format"},
     "api": {"api"},
     "panels": {"panels", "figures", "state", "format", "api"},
 }

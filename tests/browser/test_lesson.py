@@ -220,7 +220,7 @@ def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     page.goto("/")
     settle(page, server)
     rest(page)
-    late = ("/vendor/", "/locales/", "lesson-scene")
+    late = ("/translation", "/locales/", "lesson-scene")
     assert [url for url in asked if any(part in url for part in late)] == []
     page.get_by_test_id("scenes").get_by_text("Lesson").click()
     says(page, "lesson-title", Texts("en").step("spin", "title"))

@@ -12,10 +12,9 @@ const sources = Object.fromEntries(
 const ARROWS = {
   api: ["api"],
   format: ["format"],
-  state: ["state", "format", "vendor"],
+  state: ["state", "format"],
   figures: ["figures", "format"],
   panels: ["panels", "figures", "state", "format"],
-  vendor: [],
 };
 
 test("imports follow the arrows: panels to figures and state, nothing back", () => {
@@ -63,12 +62,12 @@ function loadedWith(file, loaded = new Set()) {
   return loaded;
 }
 
-test("only what the lesson needs waits until it is opened, its library among it", () => {
+test("only what the lesson needs waits until it is opened", () => {
   const first = loadedWith("main.js");
   const later = loadedWith("panels/lesson-scene.js");
   assert.deepEqual(
     files.filter((file) => !first.has(file) && !later.has(file)),
     [],
   );
-  assert.ok(later.has("vendor/i18next.js") && !first.has("vendor/i18next.js"));
+  assert.ok(later.has("state/translation.js") && !first.has("state/translation.js"));
 });

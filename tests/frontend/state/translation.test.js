@@ -36,6 +36,20 @@ test("numbers choose their form by the language", () => {
   );
 });
 
+test("a form that a language lacks is its other one, and English counts in English", () => {
+  const say = translationOf({
+    en: { b_one: "one", b_other: "{{count}} others" },
+    cs: { a_other: "{{count}} jiných" },
+  }).in("cs");
+  assert.equal(say("a", { count: 3 }), "3 jiných");
+  assert.deepEqual([say("b", { count: 1 }), say("b", { count: 3 })], ["one", "3 others"]);
+});
+
+test("braces around what nobody gives stay where they are", () => {
+  const say = translationOf({ en: { a: "{{constructor}} {{value}}" } }).in("en");
+  assert.equal(say("a"), "{{constructor}} {{value}}");
+});
+
 test("a file of another shape than expected harms nobody", () => {
   const say = translationOf({ en: { a: { b: "deep" } }, de: { a: "flat" } }).in("de");
   assert.equal(typeof say("a"), "string");
