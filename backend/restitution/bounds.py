@@ -48,6 +48,14 @@ class Meaning:
         return handler(schema) | {"description": self.text}
 
 
+class OrNothing:
+    """Said of a number that may not exist, as it is NaN or infinite: in JSON it is null."""
+
+    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
+        """Let schemas say it."""
+        return {"anyOf": [handler(schema), {"type": "null"}]}
+
+
 @dataclass(frozen=True)
 class Words:
     """What a value must be, where bounds do not say it well."""

@@ -530,7 +530,7 @@ export interface components {
         };
         /**
          * Energy
-         * @description u²/2 + κz²/2 with u = g_t/g_n before and after; null beyond the doubles.
+         * @description u²/2 + κz²/2 with u = g_t/g_n, before and after; the share lost is 1 − ε_t².
          */
         Energy: {
             /** Initial */
@@ -558,7 +558,7 @@ export interface components {
         };
         /**
          * Estimates
-         * @description Simple laws for the same collision; null where they say nothing.
+         * @description Simple laws for the same collision; NaN where they say nothing.
          */
         Estimates: {
             /** Coulomb */

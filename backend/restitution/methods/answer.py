@@ -18,9 +18,18 @@ Method = TypeAliasType(
     "Method",
     Literal["auto", "exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
 )
+AnsweringMethod = TypeAliasType(
+    "AnsweringMethod",
+    Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
+)
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), Meaning("η = (3/2) A β^{2/5} g_n^{1/5}")]
 
+EpsilonT = Annotated[
+    float, Meaning("ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
+]
+ErrorBound = Annotated[float, Ge(0), Meaning("bound on the absolute error of ε_t")]
+ToleranceMet = Annotated[bool, Meaning("whether error_bound is within the tolerance")]
 Tolerance = Annotated[float, Ge(1e-13), Le(1), Meaning("largest absolute error wanted in ε_t")]
 
 

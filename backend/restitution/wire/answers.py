@@ -4,37 +4,35 @@ Answers are bytes made from arrays (`formats`); tests hold them against these de
 that an answer may lack is `NotRequired`, a number that may not exist is null.
 """
 
+from dataclasses import dataclass
 from typing import Annotated, Any, Literal, NotRequired
 
 from pydantic import Field
 from typing_extensions import TypeAliasType, TypedDict
 
-from restitution.methods.answer import Integrator, Method
+from restitution.methods.answer import (
+    AnsweringMethod,
+    EpsilonT,
+    ErrorBound,
+    Integrator,
+    Method,
+    ToleranceMet,
+)
 from restitution.paper import Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
 from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
-from restitution.studies.collision.one import Episode, Sensitivity
+from restitution.studies.collision.one import Energy, Episode, Estimates, Sensitivity
 from restitution.studies.collision.presets import Preset
 from restitution.studies.spheres.bodies import Body, NotNegative, Positive
+from restitution.studies.spheres.collision import ScalingStudy
 from restitution.studies.spheres.impact import Velocities
 from restitution.studies.spheres.materials import Measured
-from restitution.studies.spheres.validity import Caution
 
-# of names of their own, as `methods.answer.Method` has one
-AnsweringMethod = TypeAliasType(
-    "AnsweringMethod",
-    Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
-)
 MixedMethod = TypeAliasType(
     "MixedMethod",
     Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"],
 )
-Bound = Annotated[float, Field(ge=0, description="bound on the absolute error of ε_t")]
-Epsilon = Annotated[
-    float, Field(description="ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
-]
-Certain = Annotated[bool, Field(description="whether error_bound is within the tolerance")]
 Convention = Annotated[str, Field(description="sign and point of reference of every number")]
 
 
@@ -72,28 +70,11 @@ class Parameters(TypedDict):
     samples: NotRequired[int]
 
 
-class Energy(TypedDict):
-    """u²/2 + κz²/2 with u = g_t/g_n before and after; null beyond the doubles."""
-
-    initial: float | None
-    final: float | None
-    dissipated: float | None
-    dissipated_share: float
-
-
-class Estimates(TypedDict):
-    """Simple laws for the same collision; null where they say nothing."""
-
-    coulomb: float
-    stiff_bound: float | None
-    stiff_asymptote: float | None
-
-
 class Collision(TypedDict):
     """One collision; null where the method that answered cannot give a quantity."""
 
     parameters: Parameters
-    epsilon_t: Epsilon
+    epsilon_t: EpsilonT
     epsilon_n: Annotated[float, Field(description="coefficient of normal restitution")]
     switches: Annotated[int | None, Field(description="changes between sliding and sticking")]
     switches_certain: Annotated[
@@ -109,8 +90,8 @@ class Collision(TypedDict):
     summary: Annotated[str | None, Field(description="the collision in a sentence")]
     limit: Annotated[bool, Field(description="whether this is the limit ψ → 0, as g_t = 0")]
     method: Annotated[AnsweringMethod, Field(description="the one that answered")]
-    error_bound: Bound
-    tolerance_met: Certain
+    error_bound: ErrorBound
+    tolerance_met: ToleranceMet
     convention: Convention
 
 
@@ -214,36 +195,13 @@ class After(TypedDict):
     spin_2_rad_s: Vector
 
 
-class Scaling(TypedDict):
+@dataclass(frozen=True)
+class Scaling(ScalingStudy):
     """A collision of real bodies."""
 
-    kappa: float
-    mu_over_alpha: float
-    gt_over_gn: float
-    damping: float
-    psi: Annotated[float | None, Field(description="null where it is infinite")]
-    alpha: float
-    beta: float
-    effective_mass_kg: float
-    effective_radius_m: float
-    effective_modulus_pa: float
-    tangential_stiffness_n_per_m: float
-    normal_velocity_m_s: float
-    tangential_velocity_m_s: float
-    time_scale_s: float
-    length_scale_m: float
-    contact_duration_s: float
-    maximum_compression_m: float
-    maximum_normal_force_n: float
-    epsilon_n: float
-    epsilon_t: Epsilon
-    switches: int | None
-    after: Annotated[After | None, Field(description="null if the impact was given by g_n and g_t")]
-    warnings: Annotated[list[Caution], Field(description="where the collision leaves the model")]
-    method: AnsweringMethod
-    error_bound: Bound
-    tolerance_met: Certain
-    convention: Convention
+    after: Annotated[  # type: ignore[assignment] # a tuple in Python
+        After | None, Field(description="null if the impact was given by g_n and g_t")
+    ]
 
 
 class Presets(TypedDict):

@@ -5,17 +5,18 @@ import functools
 import itertools
 from collections.abc import Collection
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Annotated, NamedTuple, cast
 
 import numpy as np
 
+from restitution.bounds import OrNothing
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
 from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
 from restitution.methods import planner
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer, AnsweringMethod, Options
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
 from restitution.studies.collision.summary import summarise
 
@@ -48,9 +49,9 @@ class Episode:
 class Energy:
     """u²/2 + κz²/2 with u = g_t/g_n, before and after; the share lost is 1 − ε_t²."""
 
-    initial: float
-    final: float
-    dissipated: float
+    initial: Annotated[float, OrNothing()]
+    final: Annotated[float, OrNothing()]
+    dissipated: Annotated[float, OrNothing()]
     dissipated_share: float
 
 
@@ -59,8 +60,8 @@ class Estimates:
     """Simple laws for the same collision; NaN where they say nothing."""
 
     coulomb: float
-    stiff_bound: float
-    stiff_asymptote: float
+    stiff_bound: Annotated[float, OrNothing()]
+    stiff_asymptote: Annotated[float, OrNothing()]
 
 
 @dataclass(frozen=True)
@@ -92,7 +93,7 @@ class CollisionStudy:
     sensitivity: Sensitivity | None
     summary: str | None
     limit: bool
-    method: str
+    method: AnsweringMethod
     error_bound: float
     tolerance_met: bool
     convention: str
@@ -175,7 +176,7 @@ class _Outcome(NamedTuple):
 
     epsilon_t: float
     error_bound: float
-    method: str
+    method: AnsweringMethod
     switches: int | None
     switches_certain: bool | None
 
@@ -186,13 +187,18 @@ def _outcome(parameters: CollisionParameters, wanted: frozenset[str], options: O
         # what is too stiff to be followed is the planner's to answer or to refuse
         with contextlib.suppress(CostError):
             if path := followed_motion(parameters):
-                found = path.epsilon_t, path.error_bound, "exact"
-                return _Outcome(*found, path.switches, path.switches_certain)
+                return _Outcome(
+                    path.epsilon_t,
+                    path.error_bound,
+                    "exact",
+                    path.switches,
+                    path.switches_certain,
+                )
     answer = planner.solve(
         np.array([parameters.kappa]), np.array([parameters.psi]), wanted, options
     )
     switches, certain = _counted(answer)
-    named = str(answer.method[0])
+    named = cast("AnsweringMethod", str(answer.method[0]))
     return _Outcome(
         float(answer.epsilon_t[0]), float(answer.error_bound[0]), named, switches, certain
     )

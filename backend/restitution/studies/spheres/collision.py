@@ -2,8 +2,16 @@
 
 import math
 from dataclasses import dataclass
+from typing import Annotated
 
-from restitution.methods.answer import Options
+from restitution.bounds import Meaning
+from restitution.methods.answer import (
+    AnsweringMethod,
+    EpsilonT,
+    ErrorBound,
+    Options,
+    ToleranceMet,
+)
 from restitution.studies.collision.one import study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
@@ -29,7 +37,7 @@ class ScalingStudy:
     mu_over_alpha: float
     gt_over_gn: float
     damping: float
-    psi: float | None
+    psi: Annotated[float | None, Meaning("null where it is infinite")]
     alpha: float
     beta: float
     effective_mass_kg: float
@@ -44,14 +52,14 @@ class ScalingStudy:
     maximum_compression_m: float
     maximum_normal_force_n: float
     epsilon_n: float
-    epsilon_t: float
+    epsilon_t: EpsilonT
     switches: int | None
     after: After | None
-    warnings: list[Caution]
-    method: str
-    error_bound: float
-    tolerance_met: bool
-    convention: str
+    warnings: Annotated[list[Caution], Meaning("where the collision leaves the model")]
+    method: AnsweringMethod
+    error_bound: ErrorBound
+    tolerance_met: ToleranceMet
+    convention: Annotated[str, Meaning("sign and point of reference of every number")]
 
 
 def study_scaling(
