@@ -9,7 +9,7 @@ import functools
 import math
 import sys
 import typing
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from numbers import Real
 from types import NoneType, UnionType
@@ -184,7 +184,7 @@ def _annotations(of: Any) -> dict[str, Any]:
 
 
 class _Rule(NamedTuple):
-    """What a field may hold: numbers of a kind from `low` to `high`, or words, or a vector."""
+    """What a field may hold: numbers of a kind from `low` to `high`, words, objects, a vector."""
 
     name: str
     annotation: Any
@@ -192,50 +192,55 @@ class _Rule(NamedTuple):
     low: float
     high: float
     words: tuple[Any, ...]
+    classes: tuple[type, ...]
     is_vector: bool
 
 
 @functools.cache
 def _rules(of: Any) -> list[_Rule]:
-    """Return the rules of the fields that have one; those of objects are kept by themselves."""
+    """Return the rules of the fields that have one."""
     rules = []
     for name, annotation in annotations(of).items():
         parts = members(annotation)
         kinds = [plain(part) for part in parts]
-        words = tuple(
-            word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)
-        )
-        number = next((kind for kind in kinds if kind in (float, int)), None)
-        is_vector = get_origin(kinds[0]) is tuple
-        if any(map(is_dataclass, kinds)) or not (words or number or is_vector):
-            continue
+        words = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
         if NoneType in get_args(plain(annotation)):
-            words = (*words, None)
-        rules.append(_Rule(name, annotation, number, *interval(parts[0]), words, is_vector))
+            words.append(None)
+        number = next((kind for kind in kinds if kind in (float, int)), None)
+        classes: tuple[Any, ...] = tuple(filter(is_dataclass, kinds))
+        is_vector = get_origin(kinds[0]) is tuple
+        if words or number or classes or is_vector:
+            bounds = interval(parts[0])
+            rules.append(_Rule(name, annotation, number, *bounds, tuple(words), classes, is_vector))
     return rules
 
 
 def _settle(made: Any) -> None:
     """Refuse what is out of bounds; make numbers of their kind, −0 the 0 that it equals."""
     cls: Any = type(made)
-    for name, annotation, kind, low, high, words, is_vector in _rules(cls):
+    for name, annotation, kind, low, high, words, classes, is_vector in _rules(cls):
         value: Any = getattr(made, name)
         is_of_kind = type(value) is kind
         # of −0 the sign is to go
         if is_of_kind and low <= value <= high and (value or math.copysign(1, value) > 0):
             continue
-        if is_vector and len(value) == 3 and all(map(_is_number, value)):
-            object.__setattr__(made, name, tuple(map(float, value)))
-        elif kind and _is_number(value) and low <= value <= high and kind(value) == value:
+        parts = list(map(_as_float, value)) if is_vector and isinstance(value, Iterable) else []
+        if len(parts) == 3 and all(map(math.isfinite, parts)):
+            object.__setattr__(made, name, tuple(parts))
+        elif kind and low <= _as_float(value) <= high and kind(value) == value:
             object.__setattr__(made, name, kind(value) + kind(0))
-        elif value not in words:
+        elif not (isinstance(value, classes) or value in words):
             raise ParameterError(name, value, requirement(annotation))
 
 
-def _is_number(value: object) -> bool:
+def _as_float(value: object) -> float:
+    """Return a number of any kind as a float, NaN for what is none."""
     if isinstance(value, bool) or not isinstance(value, Real):
-        return False
-    return abs(value) <= sys.float_info.max  # type: ignore[operator]
+        return math.nan
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
 
 
 def _settle_and_fit(made: Any) -> None:
