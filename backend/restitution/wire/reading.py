@@ -33,7 +33,8 @@ def read_query(of: type[Read], pairs: Sequence[tuple[str, str]]) -> Read:
     given = dict(pairs)
     fill = getattr(of, "fill", None)
     filled = fill(given) | given if fill else given
-    read, errors = None, []
+    read: Read | None = None
+    errors: list[Entry] = []
     try:
         read = adapter(of).validate_python(filled)
     except ValidationError as error:
@@ -41,9 +42,7 @@ def read_query(of: type[Read], pairs: Sequence[tuple[str, str]]) -> Read:
     errors = _with(errors, _misfits(of, given))
     if len(given) < len(pairs):
         errors += _given_again(pairs)
-    if errors or read is None:
-        raise RefusedParametersError(errors)
-    return read  # type: ignore[no-any-return]
+    return _read(read, errors)
 
 
 def read_object(of: type[Read], text: bytes) -> Read:
@@ -57,7 +56,8 @@ def read_object(of: type[Read], text: bytes) -> Read:
         If it is no JSON object.
     """
     given = parse_nested(text)
-    read, errors = None, []
+    read: Read | None = None
+    errors: list[Entry] = []
     try:
         read = adapter(of).validate_json(text, strict=True)
     except ValidationError as error:
@@ -65,10 +65,16 @@ def read_object(of: type[Read], text: bytes) -> Read:
             # Python's reader goes deeper than pydantic's
             raise MalformedBodyError(TOO_DEEP) from error
         errors = entries(of, given, error)
-    errors = _with(errors, _misfits(of, given))
-    if errors or read is None:
+    return _read(read, _with(errors, _misfits(of, given)))
+
+
+def _read(read: Read | None, errors: list[Entry]) -> Read:
+    """Return what was read, if nothing is wrong with it."""
+    if errors:
         raise RefusedParametersError(errors)
-    return read  # type: ignore[no-any-return]
+    # a class that refuses what neither its bounds nor its rules do would be a defect
+    assert read is not None
+    return read
 
 
 def _given_again(pairs: Sequence[tuple[str, str]]) -> list[Entry]:
