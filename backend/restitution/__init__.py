@@ -17,14 +17,13 @@ damping, η = (3/2) A β^{2/5} g_n^{1/5}; collisions of real bodies by `Contact`
 """
 
 from collections.abc import Collection
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError, ParameterError, RestitutionError
 from restitution.methods.answer import Options
-from restitution.paper import Item, study_paper
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import StepsStudy, study_steps
 from restitution.studies.accuracy.tradeoff import load_tradeoff
@@ -40,8 +39,11 @@ from restitution.studies.spheres.bodies import Moment, Sphere, Wall
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import Impact, Velocities
 from restitution.studies.spheres.materials import MATERIALS
-from restitution.studies.tables.export import RestitutionTable, study_table, study_table_within
+from restitution.studies.tables.export import RestitutionTable, study_table_as_wanted
 from restitution.studies.tables.grid import Sign
+
+if TYPE_CHECKING:
+    from restitution.paper import Item
 
 __all__ = [
     "MATERIALS",
@@ -335,9 +337,7 @@ def table(
     >>> table(Axis(3, 6, 20), Axis(0.1, 2, 20)).epsilon_t.shape
     (20, 20)
     """
-    if error is None:
-        return study_table(kappa, psi, sign, damping, seconds=seconds)
-    return study_table_within(error, kappa, psi, sign, damping, seconds=seconds)
+    return study_table_as_wanted(error, kappa, psi, sign, damping, seconds=seconds)
 
 
 def steps(
@@ -387,9 +387,12 @@ def tradeoff(scene: SceneName = "figure4") -> dict[str, Any]:
     return stored
 
 
-def paper_statements() -> tuple[Item, ...]:
+def paper_statements() -> "tuple[Item, ...]":
     """Return what the paper prints, what is computed now, and a verdict, as ``GET /paper``.
 
     It takes a second the first time.
     """
+    # fourteen modules that nobody else needs
+    from restitution.paper import study_paper  # noqa: PLC0415
+
     return study_paper()

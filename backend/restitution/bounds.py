@@ -177,6 +177,11 @@ def annotations(of: Any) -> dict[str, Any]:
     return _annotations(of)
 
 
+def values(made: Any) -> dict[str, Any]:
+    """Return the members that an object was made of."""
+    return {name: getattr(made, name) for name in annotations(type(made))}
+
+
 @functools.cache
 def _annotations(of: Any) -> dict[str, Any]:
     hints = get_type_hints(of, include_extras=True)
@@ -224,16 +229,16 @@ def _settle(made: Any) -> None:
         # of −0 the sign is to go
         if is_of_kind and low <= value <= high and (value or math.copysign(1, value) > 0):
             continue
-        parts = list(map(_as_float, value)) if is_vector and isinstance(value, Iterable) else []
+        parts = list(map(as_float, value)) if is_vector and isinstance(value, Iterable) else []
         if len(parts) == 3 and all(map(math.isfinite, parts)):
             object.__setattr__(made, name, tuple(parts))
-        elif kind and low <= _as_float(value) <= high and kind(value) == value:
+        elif kind and low <= as_float(value) <= high and kind(value) == value:
             object.__setattr__(made, name, kind(value) + kind(0))
         elif not (isinstance(value, classes) or value in words):
             raise ParameterError(name, value, requirement(annotation))
 
 
-def _as_float(value: object) -> float:
+def as_float(value: object) -> float:
     """Return a number of any kind as a float, NaN for what is none."""
     if isinstance(value, bool) or not isinstance(value, Real):
         return math.nan

@@ -13,7 +13,6 @@ import click
 import uvicorn
 from click.core import ParameterSource
 
-from restitution.api.app import create_app
 from restitution.api.page import compress_page
 from restitution.api.settings import Settings
 from restitution.api.warm import warm as warm_kernels
@@ -29,13 +28,14 @@ from restitution.studies.accuracy.tradeoff import (
 )
 from restitution.studies.collision.axis import Scale
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
+from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import Result, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_object, read_query
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
-from restitution.wire.results import scaling_result, table_result, tabulated_as
+from restitution.wire.results import scaling_result, table_result
 
 LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
@@ -86,6 +86,9 @@ def warm() -> None:
 @main.command()
 def openapi() -> None:
     """Write the OpenAPI document of the service, for generators of clients."""
+    # of all commands this one alone needs the whole service
+    from restitution.api.app import create_app  # noqa: PLC0415
+
     click.echo(json.dumps(create_app().openapi(), ensure_ascii=False, indent=1))
 
 
@@ -253,7 +256,9 @@ def table(
         return
     _refuse_given(context, ("scheduler", "workers"), "a table without --store")
     try:
-        found = tabulated_as(query, seconds)
+        found = study_table_as_wanted(
+            query.error, *query.axes, query.sign, query.third, seconds=seconds
+        )
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
     out.write(_written(table_result(found), query.format))

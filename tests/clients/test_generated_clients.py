@@ -9,16 +9,10 @@ import typing
 from pathlib import Path
 
 import pytest
-
-from restitution.api.app import create_app
+from document import DOCUMENT, OPERATIONS
 
 ROOT = Path(__file__).parents[2]
-DOCUMENT = create_app().openapi()
-OPERATIONS = {
-    operation["operationId"]: operation
-    for operations in DOCUMENT["paths"].values()
-    for operation in operations.values()
-}
+CALLED = {name: operation for name, (_, _, operation) in OPERATIONS.items()}
 
 NO_MEASURING = {"start_run": 403, "run": 403, "cancel_run": 403}
 """Measuring anew is switched off unless an administrator allows it."""
@@ -81,10 +75,10 @@ def arguments(operation, function):
 
 def test_python_client_has_every_operation_and_reads_every_answer(package, server):
     found = calls(package)
-    assert found.keys() == OPERATIONS.keys()
+    assert found.keys() == CALLED.keys()
     with package.Client(base_url=server) as client:
         for name, module in found.items():
-            given = arguments(OPERATIONS[name], module.sync_detailed)
+            given = arguments(CALLED[name], module.sync_detailed)
             answer = module.sync_detailed(client=client, **given)
             assert answer.status_code == NO_MEASURING.get(name, 200), name
             assert answer.parsed is not None, name
@@ -97,4 +91,4 @@ def test_openapi_fetch_has_every_operation(server):
         [node, script, server], capture_output=True, text=True, cwd=ROOT, check=False
     )
     assert done.returncode == 0, done.stderr
-    assert json.loads(done.stdout) == dict.fromkeys(OPERATIONS, 200) | NO_MEASURING
+    assert json.loads(done.stdout) == dict.fromkeys(CALLED, 200) | NO_MEASURING

@@ -23,7 +23,7 @@ from restitution.api import document
 from restitution.api.admission import admission_of
 from restitution.api.metrics import COMPUTE, METHOD
 from restitution.api.transport import known_tag
-from restitution.bounds import annotations
+from restitution.bounds import values
 from restitution.mechanics.compiled import fingerprint
 from restitution.wire.formats import Result, formed
 from restitution.wire.queries import FormQuery
@@ -91,7 +91,26 @@ class Calls(APIRouter):
         quick : callable, optional
             Whether computing and writing the answer takes no more than some milliseconds.
         """
+        responses = document.computed(query, answer)
+        return self._get(path, query, summary, responses, example, limit, quick)
 
+    def stored(
+        self, path: str, query: type[Asked], answer: Any, summary: str
+    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
+        """Declare a GET of what is at hand."""
+        responses = document.stored(query, answer)
+        return self._get(path, query, summary, responses, None, None, lambda _: True)
+
+    def _get(
+        self,
+        path: str,
+        query: type[Asked],
+        summary: str,
+        responses: document.Described,
+        example: Mapping[str, Any] | None,
+        limit: Callable[[Asked], None] | None,
+        quick: Callable[[Asked], bool],
+    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
         def declare(compute: Compute[Asked]) -> Compute[Asked]:
             async def endpoint(request: Request) -> Response:
                 asked = parameters(request, query)
@@ -100,26 +119,8 @@ class Calls(APIRouter):
                 work = functools.partial(compute, asked)
                 return await respond(request, asked, work, quick=quick(asked))
 
-            responses = document.computed(query, answer)
-            self._add(
-                "GET", path, endpoint, compute, summary, responses, document.asked(query, example)
-            )
-            return compute
-
-        return declare
-
-    def stored(
-        self, path: str, query: type[Asked], answer: Any, summary: str
-    ) -> Callable[[Compute[Asked]], Compute[Asked]]:
-        """Declare a GET of what is at hand."""
-
-        def declare(compute: Compute[Asked]) -> Compute[Asked]:
-            async def endpoint(request: Request) -> Response:
-                asked = parameters(request, query)
-                return await respond(request, asked, functools.partial(compute, asked), quick=True)
-
-            responses = document.stored(query, answer)
-            self._add("GET", path, endpoint, compute, summary, responses, document.asked(query))
+            described = document.asked(query, example)
+            self._add("GET", path, endpoint, compute, summary, responses, described)
             return compute
 
         return declare
@@ -212,8 +213,7 @@ async def respond(
 
 def entity_tag(path: str, query: Any, version: str) -> str:
     """Return the strong ETag of `query`, its defaults filled in and its numbers doubles."""
-    asked = {name: getattr(query, name) for name in annotations(type(query))}
-    canonical = orjson.dumps([version, path, asked], option=orjson.OPT_SORT_KEYS)
+    canonical = orjson.dumps([version, path, values(query)], option=orjson.OPT_SORT_KEYS)
     return f'"{hashlib.sha256(canonical).hexdigest()[:32]}"'
 
 

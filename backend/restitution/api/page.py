@@ -124,7 +124,7 @@ def _imported(module: Path) -> set[Path]:
 
 
 def _entry(file: str | os.PathLike[str], found: os.stat_result) -> tuple[str, int, int]:
-    return os.path.realpath(file), found.st_size, found.st_mtime_ns
+    return os.fspath(file), found.st_size, found.st_mtime_ns
 
 
 class _Files(StaticFiles):
@@ -136,15 +136,17 @@ class _Files(StaticFiles):
 
     def __init__(self, directory: Path) -> None:
         super().__init__(directory=directory)
-        self._directory = directory
+        self._directory = directory.resolve()
         self._state: State = frozenset()
 
     def page(self) -> str:
         """Return index.html for the files as they are now."""
-        found = [
-            Path(folder, name) for folder, _, names in os.walk(self._directory) for name in names
-        ]
-        self._state = frozenset(_entry(file, file.stat()) for file in found)
+        paths = (
+            os.path.join(folder, name)  # noqa: PTH118 - asked for with each page, of each file
+            for folder, _, names in os.walk(self._directory)
+            for name in names
+        )
+        self._state = frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
         return _versioned_page(self._directory, self._state)
 
     def get_path(self, scope: Scope) -> str:

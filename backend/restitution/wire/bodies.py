@@ -1,6 +1,5 @@
 """What the body of a request may say, call by call, and reading those with long lists."""
 
-import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from typing import Annotated, Any, Literal, NotRequired, Union
@@ -10,7 +9,7 @@ from annotated_types import Ge, Le, Len
 from pydantic import BeforeValidator, Field, ValidationError
 from typing_extensions import TypedDict
 
-from restitution.bounds import Misfit, Words, annotations, closed, plain
+from restitution.bounds import Misfit, Words, annotations, as_float, closed, plain, said
 from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Damping, Options, Tolerance
@@ -100,7 +99,7 @@ class VelocityMapBody(Labels, Contact):
         yield from Contact.misfits(given)
         for name in (NORMAL, TANGENTIAL):
             if isinstance(ends := given.get(name), Mapping):
-                low, high = _number(ends.get("min")), _number(ends.get("max"))
+                low, high = as_float(ends.get("min")), as_float(ends.get("max"))
                 if low == 0 and ends.get("scale") == "log":
                     yield f"{name}.min", "finite and > 0"
                 if low >= high:
@@ -118,12 +117,6 @@ class VelocityMapBody(Labels, Contact):
     def options(self) -> Options:
         """What the methods take of it."""
         return Options(tolerance=self.tolerance)
-
-
-def _number(value: object) -> float:
-    """Return a number of JSON, NaN for what is none."""
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return float(value) if is_number else math.nan  # type: ignore[arg-type]
 
 
 class NumbersInBase64(TypedDict):
@@ -169,10 +162,10 @@ class CollisionsBody(Options):
         return Options(**{name: getattr(self, name) for name in names})
 
 
-MANY: dict[str, Many] = {
-    name: annotation.__metadata__[0]
+MANY = {
+    name: many
     for name, annotation in annotations(CollisionsBody).items()
-    if isinstance(getattr(annotation, "__metadata__", (None,))[0], Many)
+    if (many := said(annotation, Many))
 }
 NUMBERS = {n for n, of in annotations(CollisionsBody).items() if plain(of) in (float, int)}
 

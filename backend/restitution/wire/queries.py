@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, TypeVar
 from annotated_types import Ge, Gt, Le
 from pydantic_core import PydanticCustomError, core_schema
 
-from restitution.bounds import Meaning, Misfit, Words, annotations, closed
+from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
 from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.methods.answer import Damping, Options
 from restitution.methods.planner import is_quick
@@ -30,7 +30,7 @@ Part = TypeVar("Part")
 
 def part(whole: Any, of: type[Part]) -> Part:
     """Return the members of `whole` that make an object `of` its own."""
-    return of(**{each.name: getattr(whole, each.name) for each in fields(of) if each.init})  # type: ignore[arg-type]
+    return of(**{name: getattr(whole, name) for name in annotations(of)})
 
 
 class Several(Words):
@@ -342,7 +342,7 @@ class StepsQuery(FormQuery):
         """The collision, None for a region."""
         if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
             return None
-        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.damping)
+        return part(self, CollisionParameters)
 
 
 FORM = {"format", "encoding", "quantities", "episode_limit"}
@@ -351,5 +351,4 @@ FORM = {"format", "encoding", "quantities", "episode_limit"}
 
 def as_understood(query: Any, **more: Any) -> dict[str, Any]:
     """Return the parameters of a query without those of its form, defaults filled in."""
-    names = annotations(type(query)).keys()
-    return {name: getattr(query, name) for name in names if name not in FORM} | more
+    return {name: value for name, value in values(query).items() if name not in FORM} | more

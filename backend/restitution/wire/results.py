@@ -8,9 +8,10 @@ from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy
 from restitution.studies.collision.one import CollisionStudy
 from restitution.studies.spheres.collision import ScalingStudy
-from restitution.studies.tables.export import RestitutionTable, study_table, study_table_within
+from restitution.studies.spheres.impact import After
+from restitution.studies.tables.export import RestitutionTable
 from restitution.wire.formats import Payload, Result, flattened
-from restitution.wire.queries import CollisionQuery, TableQuery, as_understood
+from restitution.wire.queries import CollisionQuery, as_understood
 
 
 def collision_payload(query: CollisionQuery, study: CollisionStudy) -> Payload:
@@ -30,9 +31,6 @@ def batch_payload(batch: BatchStudy, shape: tuple[int, ...]) -> Payload:
     }
 
 
-AFTER = ("velocity_1_m_s", "velocity_2_m_s", "spin_1_rad_s", "spin_2_rad_s")
-
-
 def scaling_result(study: ScalingStudy) -> Result:
     """Return a collision of real bodies in all its forms."""
     after = study.after
@@ -49,18 +47,10 @@ def _row(payload: Payload) -> Payload:
     row = payload | {"warnings": " ".join(caution.code for caution in payload["warnings"])}
     row["after"] = {
         f"{name}.{axis}": None if payload["after"] is None else payload["after"][name][i]
-        for name in AFTER
+        for name in After._fields
         for i, axis in enumerate("xyz")
     }
     return flattened(row)
-
-
-def tabulated_as(query: TableQuery, seconds: float) -> RestitutionTable:
-    """Return the table that is asked for, by counts or by an error."""
-    asked = *query.axes, query.sign, query.third
-    if query.error is None:
-        return study_table(*asked, seconds=seconds)
-    return study_table_within(query.error, *asked, seconds=seconds)
 
 
 def table_result(table: RestitutionTable) -> Result:

@@ -1,11 +1,12 @@
 """Tables of ε_t for other codes."""
 
 from restitution.api.calls import Calls
+from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import TableGrid
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.formats import Result
 from restitution.wire.queries import TableQuery
-from restitution.wire.results import table_result, tabulated_as
+from restitution.wire.results import table_result
 
 MOST_SECONDS = 5.0
 """Of one core, for one request."""
@@ -26,4 +27,8 @@ def table(query: TableQuery) -> Result:
 
     `damping` holds for all entries, or is a third axis up to `damping_max`.
     """
-    return table_result(tabulated_as(query, MOST_SECONDS))
+    return table_result(
+        study_table_as_wanted(
+            query.error, *query.axes, query.sign, query.third, seconds=MOST_SECONDS
+        )
+    )

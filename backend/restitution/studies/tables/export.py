@@ -143,6 +143,21 @@ def study_table_within(
         grid = replace(grid, **{worst: replace(grid.axes[worst], count=count)})
 
 
+def study_table_as_wanted(
+    error: float | None,
+    kappa: Axis,
+    psi: Axis,
+    sign: Sign,
+    damping: Axis | float = 0.0,
+    *,
+    seconds: float,
+) -> RestitutionTable:
+    """Return a table with the counts of its axes or, where an error is wanted, those for it."""
+    if error is None:
+        return study_table(kappa, psi, sign, damping, seconds=seconds)
+    return study_table_within(error, kappa, psi, sign, damping, seconds=seconds)
+
+
 def tabulated(
     nodes: Nodes, sign: Sign, threads: ThreadPoolExecutor | None = None
 ) -> tuple[FloatArray, float]:
