@@ -29,7 +29,6 @@ RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
 FROM ${PYTHON_IMAGE}
 LABEL org.opencontainers.image.title="Restitution" \
       org.opencontainers.image.description="Coefficient of tangential restitution of colliding frictional spheres: a page and a REST service" \
-      org.opencontainers.image.version="0.1.0" \
       org.opencontainers.image.licenses="MIT"
 # The base's own pip and setuptools: nothing is installed from here on.
 RUN rm -rf /usr/local/lib/python3.11/site-packages/* /usr/local/lib/python3.11/ensurepip /usr/local/bin/pip* \

@@ -98,10 +98,9 @@ def test_bases_are_pinned_to_a_patch():
     assert tuple(int(n) for n in re.findall(r"\d+", PROXY["image"])[:3]) >= (1, 27, 3)
 
 
-def test_image_has_the_version_and_licence_of_the_package():
+def test_image_has_the_licence_of_the_package():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     labels = dict(re.findall(r'org\.opencontainers\.image\.(\w+)="([^"]*)"', FINAL))
-    assert labels["version"] == project["version"]
     assert labels["licenses"] == project["license"]
 
 

@@ -70,6 +70,7 @@ def serve(host: str, port: int) -> None:
             workers=workers,
             log_config=None,
             access_log=False,
+            server_header=False,
             timeout_graceful_shutdown=LONGEST_FAREWELL,
             timeout_worker_healthcheck=LONGEST_SILENCE,
         )

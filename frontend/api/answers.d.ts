@@ -3,7 +3,6 @@
  * (`openapi.d.ts`); what is said here is what the page has made of them: arrays decoded, times added.
  */
 
-import type { MapView } from "../state/map-view.js";
 import type { components } from "./openapi.js";
 
 type Schemas = components["schemas"];
@@ -46,9 +45,6 @@ export type MapGrid = {
   epsilon_t: Float64Array[];
   switches: Int32Array[];
 };
-
-/** What is asked of `/cut`. */
-export type CutWish = { kappa: number; muOverAlpha: number; view: MapView; count: number };
 
 /** Columns of `/cut`; a number that does not exist is NaN. */
 export type Cut = { switches: Int32Array | Float64Array } & Record<

@@ -17,7 +17,6 @@ import {
  * @typedef {import("./answers.js").Answer} Answer
  * @typedef {import("./answers.js").Trace} Trace
  * @typedef {import("./answers.js").MapGrid} MapGrid
- * @typedef {import("./answers.js").CutWish} CutWish
  * @typedef {import("./answers.js").Cut} Cut
  * @typedef {import("./answers.js").Scaling} Scaling
  * @typedef {import("./answers.js").VelocityMap} VelocityMap
@@ -149,23 +148,18 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
     },
 
     /**
-     * @param {number} muOverAlpha
-     * @param {import("../state/map-view.js").MapView} view
-     * @param {{kappa: number, gtOverGn: number}} counts
+     * @param {import("./queries.js").MapWish} wish
      * @param {AbortSignal} [signal]
      * @returns {Promise<MapGrid>}
      */
-    async map(muOverAlpha, view, counts, signal) {
-      const query = new URLSearchParams({
-        ...mapQuery(muOverAlpha, view, counts),
-        encoding: "base64",
-      });
+    async map(wish, signal) {
+      const query = new URLSearchParams({ ...mapQuery(wish), encoding: "base64" });
       const { body } = await get(`${base}/map?${query}`, signal);
       return /** @type {MapGrid} */ (decodeArrays(body));
     },
 
     /**
-     * @param {CutWish} wish
+     * @param {import("./queries.js").CutWish} wish
      * @param {AbortSignal} [signal]
      * @returns {Promise<Cut>}
      */
@@ -177,7 +171,7 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
 
     /**
      * What a method is off, cell by cell.
-     * @param {Parameters<typeof errorMapQuery>[0]} wish
+     * @param {import("./queries.js").ErrorMapWish} wish
      * @param {AbortSignal} [signal]
      * @returns {Promise<Float64Array[]>}
      */

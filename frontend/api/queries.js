@@ -1,5 +1,13 @@
 // @ts-check
 
+/**
+ * What pictures over the map's axes are made of.
+ * @typedef {import("../state/map-view.js").MapAxes} MapAxes
+ * @typedef {MapAxes & {counts: import("../state/map-view.js").Counts}} MapWish
+ * @typedef {MapAxes & {kappa: number, count: number}} CutWish
+ * @typedef {MapWish & {accuracy: Record<string, string>}} ErrorMapWish
+ */
+
 const TRACE_COLUMNS =
   "time,compression,normal_force,tangential_force_over_mu,tangential_velocity,spring_elongation,tangential_energy";
 const CUT_COLUMNS = "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote";
@@ -32,13 +40,8 @@ export function traceQuery(collision) {
   };
 }
 
-/**
- * What `/map` is asked.
- * @param {number} muOverAlpha
- * @param {import("../state/map-view.js").MapView} view
- * @param {{kappa: number, gtOverGn: number}} counts
- */
-export function mapQuery(muOverAlpha, view, counts) {
+/** What `/map` is asked. @param {MapWish} wish */
+export function mapQuery({ muOverAlpha, view, counts }) {
   return {
     mu_over_alpha: String(muOverAlpha),
     kappa_min: String(view.kappa.min),
@@ -53,12 +56,9 @@ export function mapQuery(muOverAlpha, view, counts) {
   };
 }
 
-/**
- * What `/map` is asked for its error.
- * @param {{muOverAlpha: number, view: import("../state/map-view.js").MapView, counts: {kappa: number, gtOverGn: number}, accuracy: Record<string, string>}} wish
- */
-export function errorMapQuery({ muOverAlpha, view, counts, accuracy }) {
-  return { ...mapQuery(muOverAlpha, view, counts), quantities: "error", ...accuracy };
+/** What `/map` is asked for its error. @param {ErrorMapWish} wish */
+export function errorMapQuery({ accuracy, ...wish }) {
+  return { ...mapQuery(wish), quantities: "error", ...accuracy };
 }
 
 /**
@@ -86,7 +86,7 @@ export function stepsQuery(where, error) {
   return { ...(typeof where === "string" ? { region: where } : collisionQuery(where)), error };
 }
 
-/** What `/cut` is asked. @param {import("./answers.js").CutWish} wish */
+/** What `/cut` is asked. @param {CutWish} wish */
 export function cutQuery({ kappa, muOverAlpha, view, count }) {
   return {
     along: "gt_over_gn",

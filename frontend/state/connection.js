@@ -12,16 +12,14 @@
  */
 export function createConnection({ isAnswering, onLost, onRecovered, interval = 500 }) {
   let lost = false;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let timer;
 
   /** @param {number} wait */
   function askAfter(wait) {
-    timer = setTimeout(async () => {
+    setTimeout(async () => {
       if (await isAnswering()) {
         lost = false;
         onRecovered();
-      } else if (lost) {
+      } else {
         askAfter(Math.min(1.5 * wait, 8 * interval));
       }
     }, wait);
@@ -37,11 +35,6 @@ export function createConnection({ isAnswering, onLost, onRecovered, interval = 
         onLost(reason);
         askAfter(interval);
       }
-    },
-
-    dispose() {
-      lost = false;
-      clearTimeout(timer);
     },
   };
 }

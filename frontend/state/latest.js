@@ -59,25 +59,15 @@ export function createLatest({ load, onAnswer, onError, patience = 2000, pause =
     }
   }
 
-  function giveUp() {
-    underWay?.controller.abort();
-    underWay = null;
-  }
-
   return {
     /** @param {Wish} wish */
     request(wish) {
       next = { wish };
       if (underWay && performance.now() - underWay.startedAt > patience) {
-        giveUp();
+        underWay.controller.abort();
+        underWay = null;
       }
       startNext();
-    },
-
-    dispose() {
-      next = null;
-      clearTimeout(timer);
-      giveUp();
     },
   };
 }

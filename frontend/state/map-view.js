@@ -1,5 +1,6 @@
 // @ts-check
 
+import { significant } from "../format/number.js";
 import { clamp, logScale, powerScale, relabelled, stepAbove } from "./scales.js";
 
 /**
@@ -52,12 +53,40 @@ export function mapView(collision, { scale, map_y: vertical }) {
 }
 
 /**
- * The same axes for a collision that is being dragged, perhaps beyond them.
+ * @typedef {object} MapAxes
+ * @property {MapView} view
+ * @property {number} muOverAlpha to ask with, so that the answer lies on these axes
+ *
+ * @typedef {{kappa: number, gtOverGn: number}} Counts cells along each axis
+ */
+
+/**
+ * What a map or a cut of a state is asked for with. A drag keeps the axes, perhaps beyond them; they follow when it is over.
+ * @param {{collision: Collision} & Parameters<typeof mapView>[1]} state
+ * @param {boolean} dragging
+ * @param {MapView} [held] the axes so far
+ * @returns {MapAxes}
+ */
+export function axesFor({ collision, ...options }, dragging, held) {
+  const view = dragging && held ? heldView(held, collision) : mapView(collision, options);
+  return { view, muOverAlpha: axesMuOverAlpha(view, collision) };
+}
+
+/**
  * @param {MapView} view
  * @param {Collision} collision
  */
-export function heldView(view, { damping }) {
+function heldView(view, { damping }) {
   return view.damping === damping ? view : { ...view, damping };
+}
+
+/**
+ * Whether two wishes are for the same axes and the same μ/α there.
+ * @param {MapAxes} asked
+ * @param {MapAxes} wish
+ */
+export function sameAxes(asked, wish) {
+  return asked.muOverAlpha === wish.muOverAlpha && sameView(asked.view, wish.view);
 }
 
 /**
@@ -153,6 +182,18 @@ export function heightOf(vertical, { gt_over_gn, mu_over_alpha }) {
     return gt_over_gn;
   }
   return mu_over_alpha === 0 ? Infinity : gt_over_gn / mu_over_alpha;
+}
+
+/**
+ * What the rows of a table over a map mean, in words, and where a collision stands among them.
+ * @param {MapView} view
+ * @param {Collision} collision
+ */
+export function rowsOf({ vertical }, collision) {
+  const here = heightOf(vertical, collision);
+  return vertical === "psi"
+    ? { along: "ψ", here, frame: "at any μ/α" }
+    : { along: "g_t/g_n", here, frame: `at μ/α = ${significant(collision.mu_over_alpha)}` };
 }
 
 /**

@@ -80,11 +80,11 @@ export const INITIAL_COLLISION = {
 };
 
 /**
- * A collision that is worked out from bodies, and their α, to the digits that the page shows: those
+ * The collision of an impact of bodies, and their α, to the digits that the page shows: those
  * beyond are rounding, and 2/7 stays 2/7.
  * @param {Collision & {alpha: number}} answer
  */
-export function carriedOver({ alpha, ...answer }) {
+export function collisionOfImpact({ alpha, ...answer }) {
   const collision = Object.fromEntries(PARAMETERS.map(({ key }) => [key, rounded(answer[key])]));
   return {
     collision: /** @type {Collision} */ (collision),

@@ -3,9 +3,9 @@
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
-import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { LANGUAGES } from "./language.js";
 import { settingOf, STEPS } from "./lesson.js";
+import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { PARAMETERS, parseNumber, parseParameter, SOLID_ALPHA } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";

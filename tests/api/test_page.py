@@ -82,8 +82,8 @@ def test_page_announces_its_modules_and_not_those_of_the_lesson(client):
         r'rel="modulepreload" href="/static/\w{16}/([^"]+)"', client.get("/").text
     )
     assert announced == sorted(set(announced))
-    assert "panels/map.js" in announced
-    later = {"main.js", "panels/lesson-scene.js", "state/translation.js"}
+    assert "scenes/explorer/map.js" in announced
+    later = {"main.js", "scenes/lesson/lesson.js", "state/translation.js"}
     assert not [name for name in announced if name in later]
 
 

@@ -220,7 +220,7 @@ def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     page.goto("/")
     settle(page, server)
     rest(page)
-    late = ("/translation", "/locales/", "lesson-scene")
+    late = ("/translation", "/locales/", "lesson/lesson.js")
     assert [url for url in asked if any(part in url for part in late)] == []
     page.get_by_test_id("scenes").get_by_text("Lesson").click()
     says(page, "lesson-title", Texts("en").step("spin", "title"))
@@ -228,7 +228,7 @@ def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     assert not any(url.endswith("de.json") for url in asked)
 
 
-@pytest.mark.parametrize("part", ["lesson-scene.js", "locales/*.json"])
+@pytest.mark.parametrize("part", ["lesson/lesson.js", "locales/*.json"])
 def test_the_lesson_comes_once_the_server_is_back(page: Page, server: str, part: str):
     page.goto("/")
     settle(page, server)

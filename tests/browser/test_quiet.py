@@ -81,7 +81,7 @@ def test_the_page_says_nothing_in_depth_nor_of_a_collision_without_a_picture(
     # a surface never rests: Plotly asks for a frame after every frame
     expect(page.get_by_test_id("surface").locator("canvas").first).to_be_attached()
     page.get_by_test_id("kappa-field").fill("1e12")
-    page.get_by_test_id("force-withheld").wait_for()
+    page.get_by_test_id("force-reason").wait_for()
     # what Chromium says of any WebGL canvas that it draws without a graphics card
     witness.words = [word for word in witness.words if "GL Driver Message" not in word]
     witness.assert_silence()

@@ -8,41 +8,69 @@ const sources = Object.fromEntries(
   files.map((file) => [file, readFileSync(new URL(file, ROOT), "utf8")]),
 );
 
-/** What each folder may import from; types don't count, they are comments. */
-const ARROWS = {
-  api: ["api"],
-  format: ["format"],
-  state: ["state", "format"],
-  figures: ["figures", "format"],
-  panels: ["panels", "figures", "state", "format"],
-};
+/** The page and its parts. */
+const markup = readdirSync(ROOT, { recursive: true })
+  .filter((file) => file.endsWith(".html"))
+  .map((file) => readFileSync(new URL(file, ROOT), "utf8"))
+  .join("");
 
-test("imports follow the arrows: panels to figures and state, nothing back", () => {
+/** What each room may import from besides itself; types don't count, they are comments. */
+const ARROWS = {
+  api: [],
+  format: [],
+  state: ["format"],
+  figures: ["format"],
+  widgets: ["figures", "state", "format"],
+  pictures: ["widgets", "figures", "state", "format"],
+  page: ["widgets", "figures", "state", "format", "api"],
+};
+const SCENE_ARROWS = ["widgets", "figures", "state", "format", "api"];
+
+/** The room of a file: its folder, and each scene is one. */
+function roomOf(file) {
+  return file
+    .split("/")
+    .slice(0, file.startsWith("scenes/") ? 2 : 1)
+    .join("/");
+}
+
+test("imports follow the arrows: from a scene down to the formats, never to another scene", () => {
   for (const [file, source] of Object.entries(sources)) {
-    const folder = file.split("/")[0];
+    const room = roomOf(file);
+    const allowed = room.startsWith("scenes/") ? SCENE_ARROWS : ARROWS[room];
     for (const [, path] of source.matchAll(/^(?:import|} from|export .* from).*"(\.[^"]+)"/gm)) {
-      const target = new URL(path, new URL(file, ROOT)).href.slice(ROOT.href.length).split("/")[0];
-      assert.ok(file === "main.js" || ARROWS[folder].includes(target), `${file} imports ${path}`);
+      const target = roomOf(new URL(path, new URL(file, ROOT)).href.slice(ROOT.href.length));
+      assert.ok(
+        file === "main.js" || target === room || allowed.includes(target),
+        `${file} imports ${path}`,
+      );
     }
   }
 });
 
-test("only the client fetches, and only the panels and the address bar touch the page", () => {
+test("no room holds more than a newcomer takes in at a glance", () => {
+  const all = readdirSync(ROOT, { recursive: true, withFileTypes: true });
+  const counts = Map.groupBy(all, ({ parentPath }) => parentPath);
+  for (const [room, entries] of counts) {
+    assert.ok(entries.length <= 20, `${room} has ${entries.length} entries`);
+  }
+});
+
+test("only the client fetches, and only widgets, pictures, the page and the scenes draw", () => {
   for (const [file, source] of Object.entries(sources)) {
     const code = source.replaceAll(/\/\*[\s\S]*?\*\//g, "");
     assert.ok(file === "api/client.js" || !/\bfetch\(/.test(code), `${file} fetches`);
-    assert.ok(file.startsWith("panels/") || !/\bPlotly\b|\bdocument\b/.test(code), `${file} draws`);
+    const mayDraw = /^(widgets|pictures|page|scenes)\//.test(file) && !/-figure\.js$/.test(file);
+    assert.ok(mayDraw || !/\bPlotly\b|\bdocument\b/.test(code), `${file} draws`);
   }
 });
 
 test("the page holds no inline script and no inline style", () => {
-  const page = readFileSync(new URL("index.html", ROOT), "utf8");
-  assert.doesNotMatch(page, /<style|\sstyle=|\son\w+=|<script(?![^>]*\ssrc=)|javascript:/i);
+  assert.doesNotMatch(markup, /<style|\sstyle=|\son\w+=|<script(?![^>]*\ssrc=)|javascript:/i);
 });
 
 test("nothing is loaded from another host", () => {
-  const page = readFileSync(new URL("index.html", ROOT), "utf8");
-  assert.doesNotMatch(page, /(?:src|href)="(?!\/|#)/);
+  assert.doesNotMatch(markup, /(?:src|href)="(?!\/|#)/);
   for (const [file, source] of Object.entries(sources)) {
     assert.doesNotMatch(source, /https?:\/\//, file);
   }
@@ -64,7 +92,7 @@ function loadedWith(file, loaded = new Set()) {
 
 test("only what the lesson needs waits until it is opened", () => {
   const first = loadedWith("main.js");
-  const later = loadedWith("panels/lesson-scene.js");
+  const later = loadedWith("scenes/lesson/lesson.js");
   assert.deepEqual(
     files.filter((file) => !first.has(file) && !later.has(file)),
     [],

@@ -89,6 +89,8 @@ KEPT = "max-age=31536000, immutable"
 
 IMPORT = re.compile(r'^(?:import|} from|export .* from)\b.*"(\.[^"]+)";', re.MULTILINE)
 
+PART = re.compile(r"<!-- (\S+\.html) -->")
+
 
 @lru_cache(maxsize=2)
 def _version(state: State) -> str:
@@ -99,16 +101,25 @@ def _version(state: State) -> str:
     return digest.hexdigest()[:16]
 
 
+PART = re.compile(r"<!-- (\S+\.html) -->")
+
+
 @lru_cache(maxsize=2)
 def _versioned_page(directory: Path, state: State) -> str:
-    """Return index.html with addresses that change with the files, and its modules announced."""
+    """Return the page with addresses that change with the files, and its modules announced."""
     modules = (path.relative_to(directory) for path in _imported(directory / "main.js"))
     announced = "\n    ".join(
         f'<link rel="modulepreload" href="/static/{module.as_posix()}" />'
         for module in sorted(modules)
     )
-    text = (directory / "index.html").read_text("utf-8").replace("<!-- modules -->", announced)
+    text = _assembled(directory).replace("<!-- modules -->", announced)
     return text.replace('="/static/', f'="/static/{_version(state)}/')
+
+
+def _assembled(directory: Path) -> str:
+    """Return index.html with the parts that it names, each in the room of its scene."""
+    text = (directory / "index.html").read_text("utf-8")
+    return PART.sub(lambda part: (directory / part[1]).read_text("utf-8"), text)
 
 
 def _imported(module: Path) -> set[Path]:
@@ -179,7 +190,8 @@ class _Files(StaticFiles):
         response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = KEPT if kept else "no-cache"
         # the tag says it all, and a hundred headers are some kilobytes
-        del response.headers["Last-Modified"]
+        for name in ("Last-Modified", "Accept-Ranges"):
+            del response.headers[name]
         response.headers["Vary"] = "Accept-Encoding"
         if compressed and response.status_code == 200:
             response.headers["Content-Encoding"] = "br"

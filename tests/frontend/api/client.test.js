@@ -79,7 +79,11 @@ test("cut asks along the vertical axis of the view", async () => {
 
 test("map asks for the axes of the view", async () => {
   const { asked, client } = clientOf({});
-  await client.map(1.4, mapView(COLLISION, LOG), { kappa: 80, gtOverGn: 60 });
+  await client.map({
+    muOverAlpha: 1.4,
+    view: mapView(COLLISION, LOG),
+    counts: { kappa: 80, gtOverGn: 60 },
+  });
   assert.equal(
     asked[0].search,
     "?mu_over_alpha=1.4&kappa_min=0.1&kappa_max=1000&kappa_count=80&kappa_scale=log" +

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { forceFigure } from "../../../frontend/figures/force-figure.js";
+import { forceFigure } from "../../../frontend/scenes/explorer/force-figure.js";
 import {
   barPlaces,
   differInMarksOnly,

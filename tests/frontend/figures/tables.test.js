@@ -2,7 +2,8 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { placesAmong, spreadIndices } from "../../../frontend/figures/sample.js";
-import { cutTable, forceTable, mapTable } from "../../../frontend/figures/tables.js";
+import { mapTable } from "../../../frontend/figures/tables.js";
+import { cutTable, forceTable } from "../../../frontend/scenes/explorer/tables.js";
 
 test("spreadIndices has both ends, what must not be missed, and each index once, in order", () => {
   assert.deepEqual(spreadIndices(101, 3, [7, 50]), [0, 7, 50, 100]);

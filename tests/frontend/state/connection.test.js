@@ -28,24 +28,3 @@ test("createConnection asks until the server answers, and tells of each change o
   assert.deepEqual(told, ["lost", "asked", "asked", "asked", "recovered"]);
   assert.ok(!connection.isLost());
 });
-
-test("createConnection asks no more once disposed of", async (context) => {
-  context.mock.timers.enable({ apis: ["setTimeout"] });
-  let asked = 0;
-  const connection = createConnection({
-    isAnswering: async () => {
-      asked += 1;
-      return false;
-    },
-    onLost: () => {},
-    onRecovered: () => assert.fail("it did not recover"),
-    interval: 100,
-  });
-  connection.reportLost();
-  context.mock.timers.tick(100);
-  await settled();
-  connection.dispose();
-  context.mock.timers.tick(10_000);
-  await settled();
-  assert.equal(asked, 1);
-});

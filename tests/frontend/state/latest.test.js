@@ -99,14 +99,3 @@ test("createLatest keeps its pause between two starts", async (context) => {
     [1, 3],
   );
 });
-
-test("createLatest says nothing more once disposed of", async () => {
-  const { request, dispose } = createLatest(options);
-  request(1);
-  request(2);
-  dispose();
-  await settled();
-  assert.ok(slow.calls[0].signal.aborted);
-  assert.equal(slow.calls.length, 1);
-  assert.deepEqual([answers, errors], [[], []]);
-});

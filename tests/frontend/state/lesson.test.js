@@ -29,8 +29,9 @@ const locales = Object.fromEntries(
 /** The keys that the page says: those that stand in its modules, and those of the steps. */
 function usedKeys() {
   const used = new Set();
-  for (const file of readdirSync(new URL("panels/", FRONTEND))) {
-    const source = readFileSync(new URL(`panels/${file}`, FRONTEND), "utf8");
+  const room = new URL("scenes/lesson/", FRONTEND);
+  for (const file of readdirSync(room)) {
+    const source = readFileSync(new URL(file, room), "utf8");
     for (const [, key] of source.matchAll(/"(lesson\.[\w.]+)"/g)) {
       used.add(key);
     }

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import {
-  carriedOver,
+  collisionOfImpact,
   PARAMETERS,
   parseParameter,
   SOLID_ALPHA,
@@ -25,7 +25,7 @@ test("scales lead from a value to its share and back", () => {
   }
 });
 
-test("carriedOver leaves out the digits that are rounding, and keeps 2/7", () => {
+test("collisionOfImpact leaves out the digits that are rounding, and keeps 2/7", () => {
   const answer = {
     kappa: 4.7156432198765,
     mu_over_alpha: 1.4000000000000001,
@@ -34,7 +34,7 @@ test("carriedOver leaves out the digits that are rounding, and keeps 2/7", () =>
     alpha: 0.28571428571428575,
     epsilon_t: 0.5,
   };
-  assert.deepEqual(carriedOver(answer), {
+  assert.deepEqual(collisionOfImpact(answer), {
     collision: {
       kappa: 4.71564321988,
       mu_over_alpha: 1.4,
@@ -43,7 +43,7 @@ test("carriedOver leaves out the digits that are rounding, and keeps 2/7", () =>
     },
     alpha: SOLID_ALPHA,
   });
-  assert.equal(carriedOver({ ...answer, alpha: 0.4 + 1e-16 }).alpha, 0.4);
+  assert.equal(collisionOfImpact({ ...answer, alpha: 0.4 + 1e-16 }).alpha, 0.4);
 });
 
 test("valueAtStep gives at every step of a slider a value the parameter admits, and ever greater ones", () => {

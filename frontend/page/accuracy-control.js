@@ -1,0 +1,86 @@
+// @ts-check
+
+import { brief, powerOfTen } from "../format/number.js";
+import { knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
+import { byTestId, find } from "../widgets/find.js";
+import { write } from "../widgets/write.js";
+
+/** @typedef {import("../state/accuracy.js").Accuracy} Accuracy */
+
+/** Where a method does not answer, the exact result stands in. @type {Record<string, string>} */
+const REFUSALS = {
+  table: "The table covers κ from 0.01 to 1000 and ψ from 0.001 to 1000, without damping.",
+  stiff: "The stiff limit is that without damping.",
+  ode: "The solver is not let loose on κ above 100000.",
+  exact: "Too stiff to be followed from switch to switch.",
+};
+
+/**
+ * The method by name, and its knob as one slider from fast to exact.
+ * @param {HTMLElement} element
+ * @param {(patch: Partial<Accuracy>, change: import("../state/store.js").Change) => void} onChange
+ */
+export function mountAccuracyControl(element, onChange) {
+  const choice = /** @type {HTMLSelectElement} */ (byTestId("method", element));
+  const slider = /** @type {HTMLInputElement} */ (byTestId("accuracy-slider", element));
+  const scale = find(".accuracy-scale", element);
+  const value = byTestId("accuracy-value", element);
+  const refusal = byTestId("accuracy-refusal", element);
+  /** @type {Accuracy | null} */
+  let shown = null;
+
+  choice.append(...METHODS.map(({ id, title }) => new Option(title, id)));
+  choice.addEventListener("change", (event) => {
+    onChange({ method: choice.value }, { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+  for (const kind of ["input", "change"]) {
+    slider.addEventListener(kind, (event) => {
+      const knob = knobOf(choice.value);
+      if (knob) {
+        onChange(
+          { [knob.key]: knob.notches[slider.valueAsNumber] },
+          { dragging: kind === "input", inputTimeStamp: event.timeStamp },
+        );
+      }
+    });
+  }
+
+  return {
+    /** The method that does not answer the present collision, if so. @param {string} method */
+    tell(method) {
+      write(refusal, REFUSALS[method] ?? "");
+    },
+
+    /** @param {Accuracy} accuracy */
+    show(accuracy) {
+      if (shown && sameAccuracy(shown, accuracy)) {
+        return;
+      }
+      shown = accuracy;
+      choice.value = accuracy.method;
+      const knob = knobOf(accuracy.method);
+      scale.toggleAttribute("hidden", !knob);
+      value.textContent = "";
+      if (knob) {
+        const now = accuracy[knob.key];
+        slider.max = String(knob.notches.length - 1);
+        slider.valueAsNumber = nearestNotch(knob, now);
+        slider.setAttribute("aria-label", `From fast to exact: ${knob.name}`);
+        slider.setAttribute("aria-valuetext", `${knob.name} ${now}`);
+        value.textContent = inShort(knob.key, now);
+      }
+    },
+  };
+}
+
+/**
+ * @param {string} key
+ * @param {number} value
+ */
+function inShort(key, value) {
+  if (key === "steps") {
+    return `${brief(value)} steps`;
+  }
+  const power = Math.log10(value);
+  return Number.isInteger(power) ? `to ${powerOfTen(power)}` : `to ${brief(value)}`;
+}

@@ -1,0 +1,63 @@
+// @ts-check
+
+import { collisionQuery } from "../api/queries.js";
+import { scaleFor } from "../state/map-view.js";
+import { PARAMETERS } from "../state/parameters.js";
+import { stateAt } from "../state/url.js";
+import { byTestId, find } from "../widgets/find.js";
+import { mountParameterControl } from "../widgets/parameter-control.js";
+import { mountAccuracyControl } from "./accuracy-control.js";
+import { mountPresets } from "./presets.js";
+import { mountResultStrip, resultTable } from "./result-strip.js";
+
+/**
+ * What the scenes share: the collision, to be set by its parameters or a preset, and its result.
+ * @param {Pick<import("../scenes/scene.js").Page, "present" | "set" | "setCollision" | "setAccuracy">} page
+ */
+export function mountCollision({ present, set, setCollision, setAccuracy }) {
+  const strip = mountResultStrip(byTestId("result"));
+  const accuracyControl = mountAccuracyControl(byTestId("accuracy"), setAccuracy);
+  const presets = mountPresets(byTestId("presets"), ({ link, alpha }, inputTimeStamp) => {
+    const state = stateAt(present(), link);
+    set({ ...state, alpha, scale: scaleFor(state.collision, state) }, { inputTimeStamp });
+  });
+  const controls = PARAMETERS.map((parameter) => ({
+    ...parameter,
+    ...mountParameterControl(find(".controls"), parameter, (value, change) =>
+      setCollision({ [parameter.key]: value ?? parameter.initial }, change),
+    ),
+  }));
+  /** @type {import("../api/answers.js").CollisionAnswer | null} */
+  let result = null;
+
+  return {
+    preview: strip.preview,
+    offer: presets.offer,
+
+    /** @param {import("../state/url.js").PageState} state */
+    show(state) {
+      accuracyControl.show(state.accuracy);
+      for (const { key, initial, show } of controls) {
+        show(state.collision[key], initial);
+      }
+      presets.show(state);
+    },
+
+    /** @type {NonNullable<import("../scenes/scene.js").Scene["settle"]>} */
+    settle(answer, { accuracy, change }, isPresent) {
+      result = answer.result;
+      strip.show(result, change.dragging, isPresent);
+      accuracyControl.tell(answer.isOffered ? "" : accuracy.method);
+    },
+
+    /** @type {import("../scenes/scene.js").Scene["pictures"]} */
+    pictures: {
+      result: {
+        title: "Result",
+        request: () => ({ call: "collision", query: collisionQuery(present().collision) }),
+        parameters: () => ({ ...present().collision }),
+        table: () => result && resultTable(result),
+      },
+    },
+  };
+}

@@ -1,0 +1,118 @@
+// @ts-check
+
+import { lostShare } from "../format/energy.js";
+import {
+  ABSENT,
+  approximate,
+  duration,
+  errorBound,
+  percentage,
+  significant,
+  typable,
+} from "../format/number.js";
+import { byTestId, find } from "../widgets/find.js";
+import { typeset } from "../widgets/typeset.js";
+import { write } from "../widgets/write.js";
+
+/**
+ * The strip with ε_t and what else is to be said of the collision.
+ * @param {HTMLElement} element
+ */
+export function mountResultStrip(element) {
+  const place = (/** @type {string} */ id) => byTestId(id, element);
+  const epsilon = place("epsilon-t");
+  const switches = place("switches");
+  const reversals = place("reversals");
+  const energyLost = place("energy-lost");
+  const contactDuration = place("contact-duration");
+  const psi = place("psi");
+  const epsilonN = place("epsilon-n");
+  const figures = find(".figures", element);
+  const summary = place("summary");
+  const provenance = place("provenance");
+  const mark = place("gauge-mark");
+
+  /**
+   * @param {{epsilon_t: number, switches: number | null}} result
+   * @param {(value: number) => string} inDigits
+   */
+  function showMain(result, inDigits) {
+    const text = inDigits(result.epsilon_t);
+    write(epsilon, text);
+    epsilon.toggleAttribute("data-long", text.includes("×"));
+    write(switches, count(result.switches));
+    mark.style.setProperty("--place", String((result.epsilon_t + 1) / 2));
+  }
+
+  return {
+    /**
+     * What the map knows of a collision that is on its way; the other numbers fade until it is here.
+     * @param {import("../scenes/explorer/map-reading.js").MapReading | null} reading
+     */
+    preview(reading) {
+      element.toggleAttribute("data-stale", true);
+      element.toggleAttribute("data-from-map", reading !== null);
+      summary.setAttribute("aria-busy", "true");
+      if (reading) {
+        showMain(reading, approximate);
+      }
+    },
+
+    /**
+     * @param {import("../api/answers.js").CollisionAnswer} result
+     * @param {boolean} dragging a screen reader is told the sentence only when this is over
+     * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
+     */
+    show(result, dragging, isPresent) {
+      summary.setAttribute("aria-busy", String(dragging));
+      if (isPresent) {
+        element.removeAttribute("data-stale");
+        element.removeAttribute("data-from-map");
+      }
+      if (!element.hasAttribute("data-from-map")) {
+        showMain(result, significant);
+      }
+      epsilon.title = result.convention;
+      write(reversals, count(result.reversals));
+      write(energyLost, percentage(lostShare(result)));
+      write(contactDuration, significant(result.contact_duration));
+      write(psi, significant(result.parameters.psi ?? Infinity));
+      write(epsilonN, significant(result.epsilon_n));
+      figures.toggleAttribute("data-damped", result.parameters.damping > 0);
+      typeset(summary, result.summary);
+      write(
+        provenance,
+        `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
+      );
+    },
+  };
+}
+
+/** @param {number | null} value */
+function count(value) {
+  return String(value ?? ABSENT);
+}
+
+/** The same in a table. @param {import("../api/answers.js").CollisionAnswer} result @returns {import("../figures/tables.js").Table} */
+export function resultTable(result) {
+  const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
+  return {
+    caption: `The collision: ${result.summary}`,
+    headings: ["quantity", "value"],
+    rows: [
+      ["κ", typable(kappa)],
+      ["μ/α", typable(mu)],
+      ["g_t/g_n", typable(gt)],
+      ["η", typable(damping)],
+      ["ψ", significant(psi ?? Infinity)],
+      ["ε_n", significant(result.epsilon_n, 8)],
+      ["ε_t", significant(result.epsilon_t, 8)],
+      ["error of ε_t", errorBound(result.error_bound)],
+      ["switches", count(result.switches)],
+      ["turns", count(result.reversals)],
+      ["contact t_c", significant(result.contact_duration, 6)],
+      ["energy lost", percentage(lostShare(result))],
+      ["method", result.method],
+    ],
+  };
+}

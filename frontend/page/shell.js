@@ -1,0 +1,138 @@
+// @ts-check
+
+import { significant, typable } from "../format/number.js";
+import { settingOf } from "../state/lesson.js";
+import { SCENES } from "../state/scenes.js";
+import { writeAddress } from "../state/url.js";
+import { copyText } from "../widgets/copy.js";
+import { byTestId, find } from "../widgets/find.js";
+import { typeset } from "../widgets/typeset.js";
+
+/** @typedef {import("../state/url.js").PageState} PageState */
+
+/** So long, in ms, a button says that it has done its work. */
+const SAID = 2000;
+const TALL_DESK = "(min-width: 75rem) and (min-height: 75rem)";
+
+/** Where the skip link leads in scenes without the usual controls. @type {Record<string, string>} */
+const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
+
+/**
+ * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
+ * @param {object} handlers
+ * @param {() => PageState} handlers.present
+ * @param {(patch: Partial<PageState>) => void} handlers.onOption
+ */
+export function mountShell({ present, onOption }) {
+  const root = document.documentElement;
+  const theme = /** @type {HTMLSelectElement} */ (byTestId("theme"));
+  const share = byTestId("share");
+  const scenes = byTestId("scenes");
+  const caption = byTestId("embed-caption");
+  const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
+  const skip = /** @type {HTMLAnchorElement} */ (find(".skip"));
+  const usualName = share.textContent;
+  // Open from the start where the page would else end above it.
+  /** @type {HTMLDetailsElement} */ (byTestId("symbols")).open = matchMedia(TALL_DESK).matches;
+  let shown = "";
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer;
+
+  const links = SCENES.map(({ id, title }) => {
+    const link = document.createElement("a");
+    link.textContent = title;
+    link.addEventListener("click", (event) => {
+      event.preventDefault();
+      onOption({ scene: id, ...settingOf(id, present().step) });
+    });
+    return { id, link };
+  });
+  scenes.append(...links.map(({ link }) => link));
+  scenes.hidden = SCENES.length < 2;
+
+  theme.addEventListener("change", () => {
+    onOption({ theme: /** @type {PageState["theme"]} */ (theme.value) });
+  });
+  share.addEventListener("click", async () => {
+    const done = await copyText(new URL(writeAddress(present()), location.href).href);
+    share.textContent = done ? "Copied" : "Copy it from the address bar";
+    byTestId("said").textContent = done ? "The link to this collision is copied" : "";
+    clearTimeout(timer);
+    timer = setTimeout(() => {
+      share.textContent = usualName;
+      byTestId("said").textContent = "";
+    }, SAID);
+  });
+  // Only when it is about to be followed: it changes with every step of a drag.
+  for (const kind of ["pointerenter", "focus"]) {
+    fullPage.addEventListener(kind, () => {
+      fullPage.href = writeAddress({ ...present(), embed: "none" });
+    });
+  }
+
+  return {
+    /** @param {PageState} state */
+    show(state) {
+      const { scene, embed } = state;
+      const wanted = `${scene} ${state.theme} ${embed} ${state.step}`;
+      if (wanted === shown) {
+        return;
+      }
+      const focused = document.activeElement;
+      shown = wanted;
+      theme.value = state.theme;
+      setOrRemove(root, "data-theme", state.theme, "system");
+      setOrRemove(root, "data-embed", embed, "none");
+      root.dataset.shown = scene;
+      for (const panel of document.querySelectorAll("[data-panel]")) {
+        panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
+      }
+      // Found here, for a :has() in a style sheet is looked for at every text that Plotly measures.
+      for (const group of document.querySelectorAll(".dashboard > *")) {
+        const holds = group.querySelector("[data-embedded]") !== null;
+        group.toggleAttribute("data-holds-embedded", holds);
+      }
+      for (const part of document.querySelectorAll("main [data-scene]")) {
+        const own = part.getAttribute("data-scene")?.split(" ") ?? [];
+        part.toggleAttribute("hidden", !own.includes(scene));
+      }
+      skip.href = `#${MAIN_PARTS[scene] ?? "controls"}`;
+      for (const { id, link } of links) {
+        link.href = writeAddress({ ...state, scene: id, ...settingOf(id, state.step) });
+        setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
+      }
+      fullPage.href = writeAddress({ ...state, embed: "none" });
+      // What led here may have gone with its scene: the keyboard goes on in this one.
+      if (focused?.closest("[hidden]")) {
+        find(skip.hash).focus({ preventScroll: true });
+      }
+    },
+
+    /** The line under a single panel. @param {import("../api/answers.js").CollisionAnswer} result */
+    caption({ parameters, epsilon_t: epsilon }) {
+      // The results beyond the paper are not of this collision.
+      if (root.dataset.embed && root.dataset.shown !== "paper") {
+        const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
+        const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
+        typeset(
+          caption,
+          `κ = ${typable(kappa)}, μ/α = ${typable(mu)}, g_t/g_n = ${typable(gt)}${damped}: ε_t = ${significant(epsilon)}`,
+        );
+      }
+    },
+  };
+}
+
+/**
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ * @param {string} usual the value for which the attribute is not there
+ */
+function setOrRemove(element, name, value, usual) {
+  if (value === usual) {
+    element.removeAttribute(name);
+  } else {
+    element.setAttribute(name, value);
+  }
+}

@@ -1,0 +1,224 @@
+// @ts-check
+
+import { addressOf, curlOf, fileName, frameOf, pythonOf } from "../format/requests.js";
+import { writeAddress } from "../state/url.js";
+import { find } from "../widgets/find.js";
+import { download } from "./download.js";
+import { saveDrawing } from "./save-drawing.js";
+import { savePicture } from "./save-picture.js";
+import { codeBlock, openSheet, tableElement } from "./sheet.js";
+
+/** Pixels between a button and its menu. */
+const GAP = 4;
+
+/**
+ * What a menu asks the server for: the answer to what is posted, which no link can ask, and a font.
+ * @typedef {object} Load
+ * @property {(request: import("../format/requests.js").Request) => Promise<Blob>} file
+ * @property {(address: string) => Promise<Blob>} font
+ */
+
+/**
+ * What the menu of a picture needs to know of it, asked when the menu is used.
+ * @typedef {object} Picture
+ * @property {string} title
+ * @property {() => string} [subject] what of several things it shows, for titles and names of files
+ * @property {() => import("../format/requests.js").Request} request whose answer it shows
+ * @property {() => Record<string, number | string>} parameters that name its files
+ * @property {() => import("../figures/tables.js").Table | null} [table] null while there is no picture
+ * @property {() => {x: number, y: number} | null} [place] of a crosshair that belongs to the picture
+ */
+
+/**
+ * The menu of a panel: its data, its picture, its table, its request, its frame.
+ * @param {HTMLElement} panel with its name as `data-panel`
+ * @param {Picture} picture
+ * @param {() => import("../state/url.js").PageState} present
+ * @param {Load} load
+ */
+export function mountPictureMenu(panel, picture, present, load) {
+  const name = panel.dataset.panel ?? "";
+  // A surface in depth stands before the flat map; what is drawn is looked for when it is saved.
+  const drawn = () => panel.querySelector(".surface") ?? panel.querySelector(".plot, svg");
+  const hasPicture = drawn() !== null;
+  const menu = document.createElement("div");
+  const button = document.createElement("button");
+  menu.id = `menu-${name}`;
+  menu.className = "menu";
+  menu.popover = "auto";
+  button.className = "menu-button";
+  button.type = "button";
+  button.textContent = "⋯";
+  button.dataset.testid = `menu-${name}`;
+  button.setAttribute("aria-label", `${picture.title}: data, picture, request`);
+  button.popoverTargetElement = menu;
+
+  const data = ["csv", "json"].map((format) => {
+    const link = document.createElement("a");
+    link.textContent = format.toUpperCase();
+    link.addEventListener("click", async (event) => {
+      const request = picture.request();
+      if (request.body) {
+        event.preventDefault();
+        const file = await load.file({ ...request, query: { ...request.query, format } });
+        download(URL.createObjectURL(file), link.download);
+      }
+    });
+    return { format, link };
+  });
+  const pictures = /** @type {("png" | "svg")[]} */ (["png", "svg"]).map((format) =>
+    item(format.toUpperCase(), () => save(format)),
+  );
+  const table = item("Table", () => {
+    const rows = picture.table?.();
+    if (rows) {
+      openSheet(picture.title, [tableElement(rows)]);
+    }
+  });
+  const groups = [
+    group(
+      "Data",
+      data.map(({ link }) => link),
+    ),
+    group("Picture", hasPicture ? pictures : []),
+  ];
+  const [dataGroup, pictureGroup] = groups;
+  menu.append(
+    ...groups,
+    table,
+    item("API request", showRequest),
+    item("Embed", () =>
+      openSheet(`Embed: ${picture.title}`, [
+        codeBlock("HTML", frameOf(embedAddress(), `Restitution: ${picture.title}`)),
+        codeBlock("Address", embedAddress()),
+      ]),
+    ),
+  );
+  pictureGroup.hidden = !hasPicture;
+  (panel.querySelector(".panel-head") ?? panel).append(button, menu);
+
+  menu.addEventListener("beforetoggle", () => {
+    const request = picture.request();
+    const isHere = !picture.table || picture.table() !== null;
+    dataGroup.hidden = !isHere;
+    pictureGroup.hidden = !hasPicture || !isHere;
+    table.hidden = !picture.table || !isHere;
+    for (const { format, link } of data) {
+      link.href = addressOf({ ...request, query: { ...request.query, format } });
+      link.download = fileName(fileSubject(), picture.parameters(), format);
+    }
+  });
+  for (const [target, kind] of [
+    [menu, "toggle"],
+    [window, "scroll"],
+    [window, "resize"],
+  ]) {
+    /** @type {EventTarget} */ (target).addEventListener(
+      /** @type {string} */ (kind),
+      moveToButton,
+    );
+  }
+  menu.addEventListener("keydown", (event) => {
+    const step = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+    if (step) {
+      event.preventDefault();
+      const items = /** @type {HTMLElement[]} */ ([...menu.querySelectorAll("a, button")]).filter(
+        (each) => each.offsetParent,
+      );
+      const at = items.indexOf(/** @type {HTMLElement} */ (document.activeElement));
+      items.at((at + step) % items.length)?.focus();
+    }
+  });
+  button.addEventListener("keydown", (event) => {
+    if (event.key === "ArrowDown") {
+      event.preventDefault();
+      menu.showPopover();
+      find("a[href]", menu).focus();
+    }
+  });
+  /** Below its button, or where there is no room for it, above. */
+  function moveToButton() {
+    if (menu.matches(":popover-open")) {
+      const { top, bottom, right } = button.getBoundingClientRect();
+      const { height } = menu.getBoundingClientRect();
+      const y =
+        bottom + GAP + height > innerHeight ? Math.max(0, top - height - GAP) : bottom + GAP;
+      menu.style.setProperty("top", `${y}px`);
+      menu.style.setProperty("right", `${document.documentElement.clientWidth - right}px`);
+    }
+  }
+
+  /**
+   * @param {string} text
+   * @param {() => void} act
+   */
+  function item(text, act) {
+    const element = document.createElement("button");
+    element.type = "button";
+    element.textContent = text;
+    element.addEventListener("click", () => {
+      menu.hidePopover();
+      act();
+    });
+    return element;
+  }
+
+  function fileSubject() {
+    return [name, picture.subject?.() ?? []].flat().join("-");
+  }
+
+  /** @param {"png" | "svg"} format */
+  function save(format) {
+    const element = drawn();
+    const subject = picture.subject?.() ?? "";
+    const parameters = Object.entries(picture.parameters());
+    const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
+    const options = {
+      format,
+      title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
+      fileName: fileName(fileSubject(), picture.parameters(), format),
+      loadFont: load.font,
+    };
+    if (element instanceof SVGSVGElement) {
+      saveDrawing(element, options);
+    } else {
+      const place = element?.matches(".surface") ? null : (picture.place?.() ?? null);
+      savePicture(/** @type {HTMLElement} */ (element), { ...options, place });
+    }
+  }
+
+  function showRequest() {
+    const request = picture.request();
+    openSheet(`Request: ${picture.title}`, [
+      codeBlock("curl", curlOf(request, location.origin)),
+      codeBlock("Python", pythonOf(request, location.origin)),
+    ]);
+  }
+
+  function embedAddress() {
+    return new URL(writeAddress({ ...present(), embed: name }), location.href).href;
+  }
+}
+
+/**
+ * @param {string} name
+ * @param {HTMLElement[]} items
+ */
+function group(name, items) {
+  const element = document.createElement("p");
+  const label = document.createElement("span");
+  label.textContent = name;
+  element.setAttribute("role", "group");
+  element.setAttribute("aria-label", name);
+  element.append(label, ...items);
+  return element;
+}
+
+/** @type {Record<string, string>} */
+const MARKUP = {
+  epsilon_t: "<i>ε</i><sub>t</sub>",
+  kappa: "<i>κ</i>",
+  mu_over_alpha: "<i>μ</i>/<i>α</i>",
+  gt_over_gn: "<i>g</i><sub>t</sub>/<i>g</i><sub>n</sub>",
+  damping: "<i>η</i>",
+};

@@ -1,0 +1,70 @@
+// @ts-check
+
+import { spreadIndices } from "../../figures/sample.js";
+import { gridTable } from "../../figures/tables.js";
+import { percentage, significant } from "../../format/number.js";
+
+/** @typedef {import("../../figures/tables.js").Table} Table */
+
+const TRACE_ROWS = 40;
+
+/**
+ * All that was measured in a region.
+ * @param {import("../../api/answers.js").Tradeoff} tradeoff
+ * @returns {Table}
+ */
+export function tradeoffTable({ rows, machine, measured_at: measuredAt }) {
+  return {
+    caption: `Time per collision and error of ε_t, measured ${measuredAt.slice(0, 10)} on ${machine}.`,
+    headings: ["method", "µs", "median", "95 %", "worst", "wrong sign", "wrong switches"],
+    rows: rows.map((row) => [
+      [row.method, ...Object.entries(row.options).map(([knob, value]) => `${knob} ${value}`)].join(
+        ", ",
+      ),
+      significant(row.microseconds_per_collision ?? NaN, 2),
+      significant(row.error_median ?? NaN, 2),
+      significant(row.error_p95 ?? NaN, 2),
+      significant(row.error_max ?? NaN, 2),
+      percentage(row.wrong_sign ?? NaN),
+      percentage(row.wrong_switches ?? NaN),
+    ]),
+  };
+}
+
+/**
+ * The force at the steps of a method.
+ * @param {import("../../api/answers.js").Stepped} stepped
+ * @returns {Table}
+ */
+export function steppedTable({ method_time: time, method_tangential_force_over_mu: force }) {
+  const indices = spreadIndices(time.length, TRACE_ROWS);
+  return {
+    caption: `Tangential force in time steps: ${indices.length} of ${time.length} instants. CSV and JSON hold the exact force, JSON the steps too.`,
+    headings: ["time", "F_t/μ"],
+    rows: indices.map((i) => [significant(time[i]), significant(force[i])]),
+  };
+}
+
+/**
+ * The error of a method in every so many cells.
+ * @param {Float64Array[]} errors
+ * @param {import("../../state/map-view.js").MapView} view
+ * @param {Parameters<typeof gridTable>[3]} rows
+ * @param {import("../../state/parameters.js").Collision} collision
+ * @returns {Table}
+ */
+export function errorTable(errors, view, rows, collision) {
+  const axes = {
+    kappa: valuesOf(view.kappa, errors[0].length),
+    gt_over_gn: valuesOf(view.gtOverGn, errors.length),
+  };
+  return gridTable("Error of ε_t", axes, errors, rows, collision);
+}
+
+/**
+ * @param {import("../../state/scales.js").Scale} scale
+ * @param {number} count
+ */
+function valuesOf(scale, count) {
+  return Float64Array.from({ length: count }, (_, i) => scale.fromShare(i / (count - 1)));
+}

@@ -1,0 +1,147 @@
+// @ts-check
+
+import { CUT_MARGIN } from "../../figures/plot-area.js";
+import { axesMuOverAlpha, gtOverGnAt, placeOnMap } from "../../state/map-view.js";
+import { letterOf } from "../../state/presets.js";
+import { followDrag } from "../../widgets/drag.js";
+import { find } from "../../widgets/find.js";
+import { layOver } from "../../widgets/overlay.js";
+import { createPlot } from "../../widgets/plot.js";
+import { showReason } from "../../widgets/show-reason.js";
+import { cutFigure } from "./cut-figure.js";
+
+/**
+ * @typedef {Parameters<typeof cutFigure>[0]} ShownCut
+ * @typedef {import("../../state/parameters.js").Collision} Collision
+ */
+
+/**
+ * The cut with a mark at the present collision, which is laid over the plot so that moving it draws
+ * nothing anew.
+ * @param {HTMLElement} element
+ * @param {(place: {gt_over_gn?: number}, change: import("../../state/store.js").Change) => void} onPlace
+ */
+export function mountCut(element, onPlace) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, (/** @type {ShownCut} */ subject, theme, size) => {
+    const figure = cutFigure(subject, theme, size);
+    range = figure.layout.yaxis.range;
+    moveMark();
+    return figure;
+  });
+  const stage = find(".plot-stage", element);
+  const mark = find(".cut-mark", element);
+  layOver(mark, CUT_MARGIN);
+  /** @type {[number, number]} */
+  let range = [-1, 1];
+  /** @type {ShownCut | null} */
+  let shown = null;
+  /** @type {import("./cut-figure.js").Letter[]} */
+  let letters = [];
+  /** @type {Collision | null} */
+  let present = null;
+  let epsilon = 0;
+  let isOnCurve = false;
+  let most = 0;
+
+  followDrag(mark, {
+    onMove(x, _, change) {
+      if (shown && present) {
+        onPlace({ gt_over_gn: gtOverGnAt(shown.view, x, present.mu_over_alpha) }, change);
+      }
+    },
+    onEnd: (change) => onPlace({}, change),
+  });
+
+  function moveMark() {
+    if (!shown || !present) {
+      return;
+    }
+    const { y: share } = placeOnMap(shown.view, present);
+    const [low, high] = range;
+    mark.style.setProperty("--x", String(share));
+    mark.style.setProperty("--y", String((high - epsilon) / (high - low)));
+    mark.toggleAttribute("data-placed", true);
+  }
+
+  /** @param {boolean} quickly */
+  function draw(quickly) {
+    if (shown) {
+      plot.show({ ...shown, letters, most }, quickly);
+    }
+  }
+
+  return {
+    /**
+     * @param {Omit<ShownCut, "letters" | "most">} next
+     * @param {boolean} dragging
+     */
+    show(next, dragging) {
+      shown = { ...next, letters, most };
+      showReason(stage, "");
+      draw(dragging);
+      plotElement.setAttribute(
+        "aria-label",
+        `Coefficient of tangential restitution over g_t/g_n at κ = ${next.kappa}, with Coulomb's law and the limits of a stiff spring; the slider of g_t/g_n moves the mark.`,
+      );
+    },
+
+    /** @param {string} reason */
+    showReason: (reason) => showReason(stage, reason),
+
+    /** @param {import("../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
+    offer(presets) {
+      letters = presets.flatMap((preset) => {
+        const letter = letterOf(preset);
+        const { kappa, gt_over_gn, mu_over_alpha } = preset;
+        return letter ? [{ letter, kappa, psi: gt_over_gn / mu_over_alpha }] : [];
+      });
+      draw(false);
+    },
+
+    /** The number of switches up to which the map has colours. @param {number} count */
+    colorUpTo(count) {
+      if (count !== most) {
+        most = count;
+        draw(false);
+      }
+    },
+
+    /**
+     * At once, at the height of the curve, if that is of this collision's κ and μ/α.
+     * @param {Collision} collision
+     */
+    point(collision) {
+      present = collision;
+      isOnCurve =
+        shown?.kappa === collision.kappa &&
+        shown.muOverAlpha === axesMuOverAlpha(shown.view, collision);
+      if (shown && isOnCurve) {
+        epsilon = heightAt(shown.cut.epsilon_t, placeOnMap(shown.view, collision).y);
+      }
+      moveMark();
+    },
+
+    /**
+     * At the height that the server gives, unless that is behind what the curve tells.
+     * @param {{parameters: Collision, epsilon_t: number}} result
+     */
+    settle({ parameters, epsilon_t }) {
+      if (!isOnCurve || parameters.gt_over_gn === present?.gt_over_gn) {
+        epsilon = epsilon_t;
+        moveMark();
+      }
+    },
+  };
+}
+
+/**
+ * On the straight line between two samples.
+ * @param {Float64Array} samples
+ * @param {number} share
+ */
+function heightAt(samples, share) {
+  const place = share * (samples.length - 1);
+  const i = Math.min(samples.length - 2, Math.floor(place));
+  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
+}

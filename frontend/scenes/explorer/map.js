@@ -1,0 +1,114 @@
+// @ts-check
+
+import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
+import { alphaInWords, typable } from "../../format/number.js";
+import { placeOnMap } from "../../state/map-view.js";
+import { SOLID_ALPHA } from "../../state/parameters.js";
+import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
+import { byTestId, find } from "../../widgets/find.js";
+import { createMapLegend } from "../../widgets/map-legend.js";
+import { createPlot } from "../../widgets/plot.js";
+import { createSurface } from "../../widgets/surface.js";
+import { onThemeChange } from "../../widgets/theme.js";
+
+/**
+ * The map with its crosshair, which is laid over the plot so that moving it draws nothing anew.
+ * @param {HTMLElement} element
+ * @param {object} handlers
+ * @param {(place: Record<string, number>, change: import("../../state/store.js").Change) => void} handlers.onPlace
+ * @param {(patch: Partial<import("../../state/url.js").PageState>) => void} handlers.onOption
+ */
+export function mountMap(element, { onPlace, onOption }) {
+  const plotElement = find(".plot", element);
+  const plot = createPlot(plotElement, mapFigure);
+  const legend = createMapLegend(find(".map-legend", element));
+  const crosshair = mountCrosshair(find(".crosshair", element), MAP_AXES, onPlace);
+  const surface = createSurface(find(".plot-stage", element));
+  const alphaReset = byTestId("alpha-reset", element);
+  /** @type {import("../../figures/map-figure.js").ShownMap | null} */
+  let shown = null;
+  let chosen = "";
+  /** @type {import("../../api/answers.js").CollisionAnswer | null} */
+  let settled = null;
+
+  function pointSurface() {
+    if (shown && settled) {
+      const { epsilon_t, switches } = settled;
+      surface.point({ ...placeOnMap(shown.view, settled.parameters), epsilon_t, switches });
+    }
+  }
+
+  element.addEventListener("change", (event) => {
+    const input = /** @type {HTMLInputElement} */ (event.target);
+    const isOn = input.type !== "checkbox" || input.checked;
+    onOption({ [input.name]: isOn ? input.value : "flat" });
+  });
+
+  alphaReset.addEventListener("click", () => onOption({ alpha: SOLID_ALPHA }));
+
+  function drawLegend() {
+    if (shown) {
+      legend.draw(shown.quantity, mostSwitches(shown.grid));
+    }
+  }
+  onThemeChange(drawLegend);
+
+  return {
+    legend,
+
+    /**
+     * @param {import("../../figures/map-figure.js").ShownMap} map
+     * @param {"flat" | "surface"} shape
+     */
+    show(map, shape) {
+      shown = map;
+      element.dataset.shape = shape;
+      if (shape === "surface") {
+        pointSurface();
+        surface.show(map);
+      } else {
+        surface.close();
+        plot.show(map);
+      }
+      drawLegend();
+      crosshair.lieOn(map.view);
+      plotElement.setAttribute(
+        "aria-label",
+        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and ${map.view.vertical === "psi" ? "ψ" : "g_t/g_n"} from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,
+      );
+    },
+
+    point: crosshair.point,
+
+    /** @param {import("../../state/url.js").PageState} state */
+    options({ map, scale, map_x, map_y, shape, alpha }) {
+      const options = { map, scale, map_x, map_y };
+      const wanted = JSON.stringify([options, shape, alpha]);
+      if (wanted === chosen) {
+        return;
+      }
+      chosen = wanted;
+      for (const [name, value] of Object.entries(options)) {
+        const choice = find(`[name="${name}"][value="${value}"]`, element);
+        /** @type {HTMLInputElement} */ (choice).checked = true;
+      }
+      const inDepth = /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element));
+      inDepth.checked = shape === "surface";
+      alphaReset.hidden = alpha === SOLID_ALPHA;
+      find("span", alphaReset).textContent = alphaInWords(alpha);
+    },
+
+    /**
+     * What the server says of the present collision.
+     * @param {import("../../api/answers.js").CollisionAnswer} result
+     * @param {boolean} dragging
+     */
+    settle(result, dragging) {
+      legend.point(result);
+      if (!dragging) {
+        settled = result;
+        pointSurface();
+      }
+    },
+  };
+}

@@ -1,0 +1,267 @@
+// @ts-check
+
+import { cutQuery, mapQuery, traceQuery } from "../../api/queries.js";
+import { mostSwitches } from "../../figures/map-figure.js";
+import { mapTable } from "../../figures/tables.js";
+import { createFollower } from "../../state/follower.js";
+import { horizontalAxis, placeOnMap, rowsOf } from "../../state/map-view.js";
+import { sameCollision } from "../../state/parameters.js";
+import { byTestId, find } from "../../widgets/find.js";
+import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
+import { mountContactAnimation } from "./contact-animation.js";
+import { mountCut } from "./cut.js";
+import { mountEnergyToggle } from "./energy-toggle.js";
+import { readMap } from "./map-reading.js";
+import { mountMap } from "./map.js";
+import { contactTable, cutTable, forceTable, velocityTable } from "./tables.js";
+import { mountTimeCursor } from "./time-cursor.js";
+import { mountForceTrace, mountVelocity } from "./trace-plots.js";
+import { cutWish, FULL_CUT, FULL_MAP, isEnoughCut, isEnoughMap, mapWish } from "./wishes.js";
+
+/**
+ * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../api/answers.js").Trace} Trace
+ */
+
+/** The lesson stands beside these pictures. */
+const SHOWN_IN = ["explorer", "lesson"];
+
+/** At most so often a map or a cut is asked for, in ms. */
+const PAUSES = { map: 80, cut: 50 };
+
+/** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
+const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
+
+/**
+ * The scene "Explorer": force, velocity and contact over time, the map, and the cut through it.
+ * @param {import("../scene.js").Page} page
+ * @returns {import("../scene.js").Scene}
+ */
+export function mountExplorer({ client, present, set, setCollision, preview, explain, explainBy }) {
+  const force = mountForceTrace(byTestId("force-trace"));
+  const velocity = mountVelocity(byTestId("velocity"));
+  const timeCursor = mountTimeCursor((share) => animation.point(share));
+  const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
+  const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => set({ energy }));
+  const map = mountMap(find(".map-panel"), { onPlace: setCollision, onOption: set });
+  const cut = mountCut(find(".cut-panel"), setCollision);
+  /** @type {Trace | null} */
+  let trace = null;
+  /** @type {import("../../api/queries.js").MapWish & {grid: import("../../api/answers.js").MapGrid} | null} */
+  let shownMap = null;
+  /** @type {Parameters<typeof cut.show>[0] | null} */
+  let shownCut = null;
+  let hasPlayed = false;
+
+  const maps = createFollower({
+    load: client.map,
+    isEnough: isEnoughMap,
+    onAnswer(grid, wish) {
+      shownMap = { grid, ...wish };
+      drawMap();
+      cut.colorUpTo(mostSwitches(grid));
+    },
+    onError: explain,
+    pause: PAUSES.map,
+  });
+
+  const cuts = createFollower({
+    load: client.cut,
+    isEnough: isEnoughCut,
+    onAnswer(loaded, { count, ...wish }) {
+      shownCut = { cut: loaded, ...wish };
+      cut.show(shownCut, count !== FULL_CUT);
+      cut.point(present().collision);
+    },
+    onError: explainBy((reason) => cut.showReason(`No cut at this one: ${reason}`)),
+    pause: PAUSES.cut,
+  });
+
+  function drawMap() {
+    if (shownMap) {
+      const { map: quantity, map_x, alpha, shape } = present();
+      map.show(
+        { ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x, alpha) },
+        shape,
+      );
+    }
+  }
+
+  /**
+   * What the map on the page knows of a collision, in the next frame, whatever the server takes.
+   * @param {PageState} state
+   * @param {number} inputTimeStamp
+   */
+  function read({ collision }, inputTimeStamp) {
+    const reading = shownMap && readMap(shownMap, collision);
+    preview(reading);
+    if (reading) {
+      map.legend.point(reading);
+    }
+    afterNextFrame(() => {
+      announcePainted("crosshair", inputTimeStamp);
+      if (reading) {
+        announcePainted("strip", inputTimeStamp);
+      }
+    });
+  }
+
+  /**
+   * @param {PageState} state
+   * @param {boolean} dragging
+   */
+  function followMap(state, dragging) {
+    if (SHOWN_IN.includes(state.scene)) {
+      maps.follow(mapWish(state, dragging, maps.asked()));
+      cuts.follow(cutWish(state, dragging, cuts.asked()));
+    }
+  }
+
+  /** The first picture moves by itself, as soon as it is there. */
+  function playOnce() {
+    if (!hasPlayed) {
+      hasPlayed = true;
+      animation.playGently();
+    }
+  }
+
+  /**
+   * The force first; what can wait a frame, after it, and while dragging, map and cut after that.
+   * @param {Trace} next
+   * @param {import("../../state/store.js").Change} change
+   */
+  function showTrace(next, { dragging, inputTimeStamp }) {
+    const isLight = force.show(next, dragging) && velocity.show(next, true);
+    timeCursor.show(next);
+    afterNextFrame(() => {
+      announcePainted("force-trace", inputTimeStamp);
+      if (!isLight) {
+        velocity.show(next, dragging);
+      }
+      animation.show(next);
+      if (!dragging) {
+        force.describe(next);
+        velocity.describe(next);
+        animation.describe();
+        playOnce();
+      }
+    });
+  }
+
+  /** @param {string} reason */
+  function showNoTrace(reason) {
+    animation.showNothing();
+    force.showReason(`No picture of this one: ${reason}`);
+    velocity.showReason("No picture of this one");
+  }
+
+  const parameters = () => ({ ...present().collision });
+  const request = () => ({ call: "trace", query: traceQuery(present().collision) });
+
+  return {
+    show(state, previous, { inputTimeStamp }) {
+      map.point(state.collision);
+      map.options(state);
+      cut.point(state.collision);
+      energyToggle.show(state.energy);
+      velocity.showEnergy(state.energy === "shown");
+      if (previous && !sameCollision(state.collision, previous.collision)) {
+        animation.pause();
+        read(state, inputTimeStamp);
+      }
+      if (previous && MAP_LOOKS.some((key) => state[key] !== previous[key])) {
+        drawMap();
+      }
+    },
+
+    follow(state, previous, { dragging }) {
+      if (!dragging) {
+        followMap(state, false);
+      }
+    },
+
+    settle(answer, { change, isPictured }, isPresent) {
+      trace = answer.trace;
+      if (isPresent) {
+        map.settle(answer.result, change.dragging);
+      }
+      cut.settle(answer.result);
+      if (trace) {
+        showTrace(trace, change);
+      } else if (isPictured) {
+        showNoTrace(answer.reason);
+        afterNextFrame(() => announcePainted("force-trace", change.inputTimeStamp));
+      }
+      if (change.dragging) {
+        afterNextFrame(() => followMap(present(), true));
+      }
+    },
+
+    offer: cut.offer,
+
+    forget() {
+      maps.forget();
+      cuts.forget();
+    },
+
+    pictures: {
+      force: {
+        title: "Force",
+        request,
+        parameters,
+        table: () => trace && forceTable(trace),
+      },
+      velocity: {
+        title: "Velocity",
+        request,
+        parameters,
+        table: () => trace && velocityTable(trace),
+      },
+      contact: {
+        title: "Contact",
+        request,
+        parameters,
+        table: () => trace && contactTable(trace),
+      },
+      map: {
+        title: "Map",
+        subject: () => present().map,
+        request() {
+          const { view, muOverAlpha } = shownMap ?? mapWish(present(), false, null);
+          return { call: "map", query: mapQuery({ view, muOverAlpha, counts: FULL_MAP }) };
+        },
+        parameters,
+        table() {
+          const { collision, map: quantity } = present();
+          return (
+            shownMap &&
+            mapTable({ grid: shownMap.grid, quantity }, rowsOf(shownMap.view, collision), collision)
+          );
+        },
+        place() {
+          if (!shownMap) {
+            return null;
+          }
+          const { x, y } = placeOnMap(shownMap.view, present().collision);
+          return { x, y: 1 - y };
+        },
+      },
+      cut: {
+        title: "Cut",
+        request() {
+          const { view, muOverAlpha } = shownCut ?? cutWish(present(), false, null);
+          const { kappa } = present().collision;
+          return { call: "cut", query: cutQuery({ kappa, muOverAlpha, view, count: FULL_CUT }) };
+        },
+        parameters,
+        table() {
+          if (!shownCut) {
+            return null;
+          }
+          const { along, here } = rowsOf(shownCut.view, present().collision);
+          return cutTable(shownCut.cut, along, here, shownCut.kappa);
+        },
+      },
+    },
+  };
+}

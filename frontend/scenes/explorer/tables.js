@@ -1,0 +1,101 @@
+// @ts-check
+
+import { placesAmong, spreadIndices } from "../../figures/sample.js";
+import { significant } from "../../format/number.js";
+
+/**
+ * @typedef {import("../../figures/tables.js").Table} Table
+ * @typedef {import("../../api/answers.js").Trace} Trace
+ */
+
+/** Rows that sample a trace, to which its switches are added. */
+const TRACE_ROWS = 40;
+const SWITCH_ROWS = 60;
+const CUT_ROWS = 30;
+
+/** @param {Trace} trace @returns {Table} */
+export function forceTable(trace) {
+  return traceTable(trace, "Forces", {
+    "F_t/μ": trace.tangential_force_over_mu,
+    F_n: trace.normal_force,
+  });
+}
+
+/** @param {Trace} trace @returns {Table} */
+export function velocityTable(trace) {
+  return traceTable(trace, "Tangential velocity", { "g_t(t)/g_n": trace.tangential_velocity });
+}
+
+/** @param {Trace} trace @returns {Table} */
+export function contactTable(trace) {
+  return traceTable(trace, "Compression of the spheres and stretch of the spring, scaled,", {
+    compression: trace.compression,
+    stretch: trace.spring_elongation,
+  });
+}
+
+/**
+ * @param {Trace} trace
+ * @param {string} what
+ * @param {Record<string, Float64Array>} columns
+ * @returns {Table}
+ */
+function traceTable(trace, what, columns) {
+  const { time, switch_times: switches } = trace;
+  const marked = placesAmong(time, [...switches].slice(0, SWITCH_ROWS));
+  const indices = spreadIndices(time.length, TRACE_ROWS, marked);
+  const isSwitch = new Set(marked);
+  return {
+    caption: `${what} during the contact: ${indices.length} of ${time.length} instants, the switches among them. CSV and JSON hold all.`,
+    headings: ["time", ...Object.keys(columns), "regime"],
+    rows: indices.map((i) => [
+      significant(time[i]),
+      ...Object.values(columns).map((column) => significant(column[i])),
+      `${regimeAt(trace, time[i])}${isSwitch.has(i) ? ", from here" : ""}`,
+    ]),
+  };
+}
+
+/**
+ * The regime that holds or begins at an instant; the list of episodes may end before the contact does.
+ * @param {Trace} trace
+ * @param {number} instant
+ */
+function regimeAt({ episodes, contact_duration: duration }, instant) {
+  const episode = episodes.find(
+    ({ start, end }) => instant >= start && (instant < end || end >= duration),
+  );
+  if (!episode) {
+    return "–";
+  }
+  if (episode.regime === "sticking") {
+    return "sticks";
+  }
+  return episode.direction < 0 ? "slides back" : "slides";
+}
+
+/**
+ * The cut and its simple laws, at every so many of its points and at the present collision.
+ * @param {import("../../api/answers.js").Cut} cut
+ * @param {string} along what it runs over: g_t/g_n or ψ
+ * @param {number} here the present collision there
+ * @param {number} kappa
+ * @returns {Table}
+ */
+export function cutTable(cut, along, here, kappa) {
+  const [present] = placesAmong(cut.values, [here]);
+  const indices = spreadIndices(cut.values.length, CUT_ROWS, [present]);
+  return {
+    caption: `ε_t over ${along} at κ = ${significant(kappa)}: ${indices.length} of ${cut.values.length} points, the one nearest to the present collision among them. CSV and JSON hold all.`,
+    headings: [along, "ε_t", "switches", "Coulomb’s law", "stiff bound", "stiff limit"],
+    rows: indices.map((i) => [
+      significant(cut.values[i]),
+      significant(cut.epsilon_t[i]),
+      String(cut.switches[i]),
+      significant(cut.coulomb[i]),
+      significant(cut.stiff_bound[i]),
+      significant(cut.stiff_asymptote[i]),
+    ]),
+    here: indices.indexOf(present),
+  };
+}

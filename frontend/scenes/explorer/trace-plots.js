@@ -1,0 +1,76 @@
+// @ts-check
+
+import { significant } from "../../format/number.js";
+import { createPlot } from "../../widgets/plot.js";
+import { showReason } from "../../widgets/show-reason.js";
+import { forceFigure } from "./force-figure.js";
+import { velocityFigure } from "./velocity-figure.js";
+
+/**
+ * The force trace.
+ * @param {HTMLElement} element
+ */
+export function mountForceTrace(element) {
+  const plot = createTracePlot(element, forceFigure);
+  return {
+    ...plot,
+    /** @param {import("../../api/answers.js").Trace} trace */
+    describe(trace) {
+      element.setAttribute(
+        "aria-label",
+        `Tangential force over μ between plus and minus the normal force, with ${trace.switches} switches. ${trace.summary}`,
+      );
+    },
+  };
+}
+
+/**
+ * The velocity on the same axis of time.
+ * @param {HTMLElement} element
+ */
+export function mountVelocity(element) {
+  let withEnergy = false;
+  const plot = createTracePlot(element, (trace, theme, size) =>
+    velocityFigure(trace, theme, size, withEnergy),
+  );
+  return {
+    ...plot,
+    /** Whether the energy is shown too, from the next picture on. @param {boolean} wanted */
+    showEnergy(wanted) {
+      withEnergy = wanted;
+    },
+    /** @param {import("../../api/answers.js").Trace} trace */
+    describe(trace) {
+      const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
+      element.setAttribute(
+        "aria-label",
+        `Tangential velocity g_t/g_n over the contact, from ${significant(before)} to ${significant(after)}; it turns round ${trace.reversals} times.`,
+      );
+    },
+  };
+}
+
+/**
+ * A plot of a trace, or the reason why there is none.
+ * @param {HTMLElement} element
+ * @param {(...args: Parameters<typeof forceFigure>) => import("../../figures/plot-area.js").Figure} makeFigure
+ */
+function createTracePlot(element, makeFigure) {
+  const plot = createPlot(element, makeFigure);
+  const stage = /** @type {HTMLElement} */ (element.parentElement);
+
+  return {
+    /**
+     * @param {import("../../api/answers.js").Trace} trace
+     * @param {boolean} dragging
+     */
+    show(trace, dragging) {
+      if (stage.hasAttribute("data-reason")) {
+        showReason(stage, "");
+      }
+      return plot.show(trace, dragging);
+    },
+    /** @param {string} reason */
+    showReason: (reason) => showReason(stage, reason),
+  };
+}

@@ -1,0 +1,61 @@
+// @ts-check
+
+import { axesFor, sameAxes } from "../../state/map-view.js";
+
+/**
+ * @typedef {import("../../api/queries.js").MapWish} MapWish
+ * @typedef {import("../../api/queries.js").CutWish} CutWish
+ * @typedef {import("../../state/map-view.js").Counts} Counts
+ * @typedef {import("../../state/url.js").PageState} PageState
+ */
+
+/** @type {Counts} */
+export const FULL_MAP = { kappa: 240, gtOverGn: 180 };
+
+/** While μ/α is dragged: the trace goes first. @type {Counts} */
+export const QUICK_MAP = { kappa: 80, gtOverGn: 60 };
+
+/** Points along the cut. */
+export const FULL_CUT = 800;
+
+/** While κ or μ/α is dragged: the trace goes first. */
+export const QUICK_CUT = 200;
+
+/**
+ * The map that belongs to a state. It depends on its axes and μ/α alone, and over ψ not on that.
+ * @param {Pick<PageState, "collision" | "scale" | "map_y">} state
+ * @param {boolean} dragging
+ * @param {MapWish | null} asked before
+ * @returns {MapWish}
+ */
+export function mapWish(state, dragging, asked) {
+  return {
+    ...axesFor(state, dragging, asked?.view),
+    counts: dragging ? QUICK_MAP : FULL_MAP,
+  };
+}
+
+/** @param {MapWish} asked @param {MapWish} wish */
+export function isEnoughMap(asked, wish) {
+  return sameAxes(asked, wish) && asked.counts.kappa >= wish.counts.kappa;
+}
+
+/**
+ * The cut that belongs to a state: along the vertical axis of the map, at the present κ.
+ * @param {Pick<PageState, "collision" | "scale" | "map_y">} state
+ * @param {boolean} dragging
+ * @param {CutWish | null} asked before
+ * @returns {CutWish}
+ */
+export function cutWish(state, dragging, asked) {
+  return {
+    kappa: state.collision.kappa,
+    ...axesFor(state, dragging, asked?.view),
+    count: dragging ? QUICK_CUT : FULL_CUT,
+  };
+}
+
+/** @param {CutWish} asked @param {CutWish} wish */
+export function isEnoughCut(asked, wish) {
+  return asked.kappa === wish.kappa && sameAxes(asked, wish) && asked.count >= wish.count;
+}

@@ -1,0 +1,291 @@
+// @ts-check
+
+import { USUAL_ACCURACY } from "../../state/accuracy.js";
+import { LANGUAGES, chosenLanguage } from "../../state/language.js";
+import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
+import { createTranslation } from "../../state/translation.js";
+import { writeAddress } from "../../state/url.js";
+import { make, told } from "../../widgets/elements.js";
+import { typeset } from "../../widgets/typeset.js";
+import { mountHandout } from "./handout.js";
+import { mountLessonQuestion } from "./question.js";
+import { teacherNotes } from "./teacher-notes.js";
+
+/**
+ * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/lesson.js").Step} Step
+ * @typedef {import("../../state/translation.js").Say} Say
+ */
+
+/**
+ * The lesson, open: one step at a time, with its question, beside the pictures of the explorer.
+ * @param {HTMLElement} element
+ * @param {HTMLElement} handoutElement
+ * @param {import("../scene.js").Page} page
+ */
+export function mountOpenLesson(element, handoutElement, { client, set, explain }) {
+  const translation = createTranslation();
+  const progress = make("p", "lesson-progress");
+  const list = make("ol", "lesson-steps");
+  const nav = make("nav", "lesson-contents", list);
+  const title = make("h2", "lesson-title");
+  const text = make("p", "lesson-text");
+  const questionElement = make("div", "lesson-question");
+  const previous = button("lesson-previous", () => turn(-1));
+  const again = button("lesson-again", () => go(present?.step ?? "1"));
+  const next = button("lesson-next", () => turn(1));
+  const notes = make("aside", "lesson-notes");
+  const notesBox = make("input", "");
+  const notesLabel = make("span", "");
+  const handoutButton = button("lesson-handout", () => set({ handout: "shown" }));
+  const languages = make("select", "");
+  const { links, marks } = stepLinks();
+  /** The steps whose question has been answered. @type {Set<Step>} */
+  const done = new Set();
+  /** @type {PageState | null} */
+  let present = null;
+  /** @type {Say | null} */
+  let say = null;
+  /** The language that is to be spoken, and the one that is. */
+  let asked = "";
+  let language = "";
+  let drawn = "";
+  /** Whether the heading gets the focus, so that a reader goes on there. */
+  let isTurning = false;
+
+  const question = mountLessonQuestion(questionElement, (step) => {
+    done.add(step);
+    drawProgress();
+  });
+  const handout = mountHandout(handoutElement, () => {
+    set({ handout: "hidden" });
+    handoutButton.focus();
+  });
+
+  title.tabIndex = -1;
+  previous.dataset.testid = "lesson-previous";
+  next.dataset.testid = "lesson-next";
+  again.dataset.testid = "lesson-again";
+  handoutButton.dataset.testid = "lesson-handout";
+  title.dataset.testid = "lesson-title";
+  title.id = "lesson-title";
+  progress.dataset.testid = "lesson-progress";
+  notes.dataset.testid = "lesson-notes";
+  notesBox.type = "checkbox";
+  notesBox.dataset.testid = "lesson-notes-switch";
+  notesBox.addEventListener("change", () => {
+    set({ notes: notesBox.checked ? "shown" : "hidden" });
+  });
+  languages.dataset.testid = "language";
+  languages.append(...LANGUAGES.map(languageOption));
+  languages.addEventListener("change", () => {
+    set({ lang: /** @type {PageState["lang"]} */ (languages.value) });
+  });
+  list.append(...links.map((link) => make("li", "", link)));
+  element.setAttribute("aria-labelledby", title.id);
+  element.replaceChildren(
+    make("div", "lesson-head", nav, progress),
+    title,
+    text,
+    questionElement,
+    make("div", "lesson-turns", previous, again, next),
+    notes,
+    make(
+      "div",
+      "lesson-tools",
+      make("label", "lesson-switch", notesBox, notesLabel),
+      handoutButton,
+      languages,
+    ),
+  );
+
+  function stepLinks() {
+    const all = STEPS.map((_, i) => {
+      const mark = make("span", "lesson-mark");
+      const link = make("a", "lesson-link", mark);
+      link.addEventListener("click", (event) => {
+        event.preventDefault();
+        go(String(i + 1));
+      });
+      return { link, mark };
+    });
+    return { links: all.map(({ link }) => link), marks: all.map(({ mark }) => mark) };
+  }
+
+  /** @param {number} by */
+  function turn(by) {
+    const step = String(Number(present?.step) + by);
+    if (stepOf(step)) {
+      isTurning = true;
+      go(step);
+    } else {
+      set({ scene: "explorer", accuracy: USUAL_ACCURACY });
+    }
+  }
+
+  /** Sets what a step sets. @param {string} step */
+  function go(step) {
+    set({ step, ...stepOf(step).setting });
+  }
+
+  /** Speaks the language of the state, once its texts are here. @param {PageState} state */
+  async function speak({ lang }) {
+    const wanted = chosenLanguage(lang, navigator.languages);
+    if (wanted === asked) {
+      return;
+    }
+    asked = wanted;
+    const fallback = LANGUAGES[0].id;
+    await Promise.all([...new Set([fallback, wanted])].map(learn));
+    const spoken = [wanted, fallback].find(translation.has);
+    // Another may have been chosen since.
+    if (asked === wanted && spoken) {
+      language = spoken;
+      say = translation.in(spoken);
+      drawn = "";
+      draw();
+    }
+  }
+
+  /** @param {string} id */
+  async function learn(id) {
+    if (translation.has(id)) {
+      return;
+    }
+    try {
+      translation.add(id, await client.texts(id));
+    } catch (error) {
+      explain(error);
+    }
+  }
+
+  /** What does not depend on the collision. */
+  function draw() {
+    if (!present || !say) {
+      return;
+    }
+    const { step: number, notes: wish, handout: sheet, scene, theme } = present;
+    const wanted = JSON.stringify([number, wish, sheet, scene, theme, language]);
+    if (wanted === drawn) {
+      return;
+    }
+    drawn = wanted;
+    const step = stepOf(number);
+    const keys = textsOf(step);
+    for (const part of [element, handoutElement]) {
+      part.lang = language;
+      part.dir = translation.direction(language);
+    }
+    typeset(title, say(keys.title));
+    typeset(text, say(keys.text));
+    question.show(step, say, language);
+    for (const [part, key] of /** @type {const} */ ([
+      [previous, "lesson.previous"],
+      [again, "lesson.again"],
+      [next, step === STEPS.at(-1) ? "lesson.finish" : "lesson.next"],
+      [notesLabel, "lesson.notes.switch"],
+      [handoutButton, "lesson.handout.open"],
+    ])) {
+      typeset(part, say(key));
+    }
+    previous.disabled = step === STEPS[0];
+    nav.setAttribute("aria-label", say("lesson.contents"));
+    languages.setAttribute("aria-label", say("lesson.language"));
+    languages.value = language;
+    notesBox.checked = wish === "shown";
+    notes.hidden = wish !== "shown";
+    notes.replaceChildren(
+      told("h3", "", say("lesson.notes.title")),
+      ...(notes.hidden ? [] : [teacherNotes(step, say)]),
+    );
+    // On the root and not found by :has(), for which Chromium works out all styles anew whenever
+    // anything is put into the page, as Plotly does for each text that it measures.
+    const root = document.documentElement.dataset;
+    root.look = step.look.join(" ");
+    root.steers = step.question.kind === "goal" ? step.question.steers.join(" ") : "";
+    drawProgress();
+    handout.show(present, say, language);
+  }
+
+  function drawProgress() {
+    if (!present || !say) {
+      return;
+    }
+    const values = { step: present.step, count: done.size, of: STEPS.length };
+    typeset(progress, say("lesson.progress", values));
+    for (const [i, step] of STEPS.entries()) {
+      const number = String(i + 1);
+      const isHere = number === present.step;
+      const state = { ...present, step: number, ...step.setting };
+      const named = say("lesson.step", { step: number, title: say(textsOf(step).title) });
+      links[i].href = writeAddress(state);
+      links[i].toggleAttribute("data-done", done.has(step));
+      if (isHere) {
+        links[i].setAttribute("aria-current", "step");
+      } else {
+        links[i].removeAttribute("aria-current");
+      }
+      const label = done.has(step) ? say("lesson.stepDone", { name: named }) : named;
+      links[i].setAttribute("aria-label", label);
+      links[i].title = label;
+      marks[i].textContent = number;
+    }
+  }
+
+  return {
+    /** @param {PageState} state */
+    show(state) {
+      present = state;
+      if (state.scene !== "lesson") {
+        handout.hide();
+        drawn = "";
+        return;
+      }
+      question.follow(state);
+      draw();
+      speak(state);
+      if (isTurning) {
+        isTurning = false;
+        title.focus();
+        if (element.getBoundingClientRect().top < 0) {
+          element.scrollIntoView();
+        }
+      }
+    },
+
+    /**
+     * @param {import("../../state/collision-load.js").LoadedCollision} answer of the present collision
+     * @param {boolean} dragging
+     */
+    settle({ result, trace }, dragging) {
+      if (present?.scene === "lesson" && trace) {
+        question.settle({ state: present, exact: trace, shown: result }, dragging);
+      }
+    },
+
+    /** Asks again for texts that did not come. */
+    forget() {
+      if (asked !== language) {
+        asked = "";
+      }
+    },
+  };
+}
+
+/**
+ * @param {string} className
+ * @param {() => void} onClick
+ */
+function button(className, onClick) {
+  const element = make("button", `quiet ${className}`);
+  element.type = "button";
+  element.addEventListener("click", onClick);
+  return element;
+}
+
+/** @param {{id: string, name: string}} language */
+function languageOption({ id, name }) {
+  const option = new Option(name, id);
+  option.lang = id;
+  return option;
+}

@@ -1,0 +1,129 @@
+// @ts-check
+
+import { countOf, grouped, labelOf, VERDICTS } from "../../state/paper.js";
+import { byTestId } from "../../widgets/find.js";
+import { typeset } from "../../widgets/typeset.js";
+
+/**
+ * @typedef {import("../../state/paper.js").Statement} Statement
+ * @typedef {{paper_verdict: string, paper_kind: string}} Wanted
+ */
+
+/**
+ * The statements of the paper: what is printed beside what comes out, with the verdict, how it was
+ * decided, and a link that shows it.
+ * @param {HTMLElement} element
+ * @param {(link: string) => void} onOpen
+ */
+export function mountPaperList(element, onOpen) {
+  /** @param {Event} event */
+  function follow(event) {
+    const clicked = /** @type {PointerEvent} */ (event);
+    const link = /** @type {HTMLElement} */ (clicked.target).closest("a");
+    // What opens a tab or a window of its own is the browser's.
+    if (link && !clicked.ctrlKey && !clicked.metaKey && !clicked.shiftKey) {
+      event.preventDefault();
+      onOpen(link.search);
+    }
+  }
+  /** On paper nothing can be opened. */
+  function unfold() {
+    element.querySelectorAll("details").forEach((details) => (details.open = true));
+  }
+  element.addEventListener("click", follow);
+  addEventListener("beforeprint", unfold);
+
+  return {
+    /**
+     * @param {Statement[]} statements
+     * @param {Wanted} wanted
+     */
+    show(statements, wanted) {
+      byTestId("paper-count").textContent = countOf(statements);
+      const sections = grouped(statements, wanted);
+      element.replaceChildren(
+        ...sections.map(({ id, title, kinds }) => {
+          const section = made("section", "paper-section");
+          const heading = made("h3", "", `${id}  ${title}`);
+          heading.id = `paper-section-${id.replace(".", "-")}`;
+          section.setAttribute("aria-labelledby", heading.id);
+          section.append(
+            heading,
+            ...kinds.flatMap((kind) => [
+              made("h4", "", kind.title),
+              ...kind.statements.map((one) => article(one, labelOf(one, statements))),
+            ]),
+          );
+          return section;
+        }),
+      );
+      if (sections.length === 0) {
+        element.append(made("p", "panel-note", "There is no such statement."));
+      }
+    },
+  };
+}
+
+/**
+ * @param {Statement} statement
+ * @param {string} label
+ */
+function article({ id, printed, computed, verdict, evidence, link }, label) {
+  const item = made("article", "statement");
+  const name = made("h5", "", label);
+  const texts = document.createElement("dl");
+  const details = document.createElement("details");
+  const anchor = document.createElement("a");
+  item.dataset.statement = id;
+  item.dataset.verdict = verdict;
+  name.id = `statement-${id}`;
+  item.setAttribute("aria-labelledby", name.id);
+  texts.append(...pair("printed", printed), ...pair("computed", computed));
+  details.append(made("summary", "", "How it was decided"), set("p", evidence));
+  anchor.href = link;
+  anchor.textContent = "Show it";
+  anchor.setAttribute("aria-label", `Show it: ${label}`);
+  item.append(name, badge(verdict), texts, details, anchor);
+  return item;
+}
+
+/** @param {Statement["verdict"]} verdict */
+function badge(verdict) {
+  const { mark, word } = /** @type {typeof VERDICTS[number]} */ (
+    VERDICTS.find(({ id }) => id === verdict)
+  );
+  const element = made("p", "verdict");
+  const sign = made("span", "verdict-mark", mark);
+  sign.setAttribute("aria-hidden", "true");
+  element.append(sign, word);
+  return element;
+}
+
+/**
+ * @param {string} term
+ * @param {string} text
+ */
+function pair(term, text) {
+  return [made("dt", "", term), set("dd", text)];
+}
+
+/**
+ * @param {string} name
+ * @param {string} text with symbols
+ */
+function set(name, text) {
+  const element = document.createElement(name);
+  typeset(element, text);
+  return element;
+}
+
+/**
+ * @param {string} name
+ * @param {string} className
+ */
+function made(name, className, text = "") {
+  const element = document.createElement(name);
+  element.className = className;
+  element.textContent = text;
+  return element;
+}

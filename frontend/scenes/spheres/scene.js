@@ -1,0 +1,390 @@
+// @ts-check
+
+import { mapQuery } from "../../api/queries.js";
+import { mapFigure } from "../../figures/map-figure.js";
+import { MAP_MARGIN } from "../../figures/plot-area.js";
+import { mapTable } from "../../figures/tables.js";
+import { createFollower, isSame } from "../../state/follower.js";
+import { contactBody, impactOf, valuesOf, velocityView } from "../../state/impact.js";
+import { axesFor, horizontalAxis, placeOnMap, rowsOf, sameAxes } from "../../state/map-view.js";
+import { collisionOfImpact, SOLID_ALPHA } from "../../state/parameters.js";
+import { byTestId, find } from "../../widgets/find.js";
+import { layOver } from "../../widgets/overlay.js";
+import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
+import { createPlot } from "../../widgets/plot.js";
+import { showReason } from "../../widgets/show-reason.js";
+import { mountImpactControls } from "./impact-controls.js";
+import { createImpactResult } from "./impact-result.js";
+import { sphereCutFigure } from "./sphere-cut-figure.js";
+import { sphereCutTable, velocityMapTable } from "./tables.js";
+import { mountVelocityMap } from "./velocity-map.js";
+
+/**
+ * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/store.js").Change} Change
+ * @typedef {import("../../state/impact.js").Impact} Impact
+ * @typedef {import("../../state/impact.js").Material} Material
+ * @typedef {import("../../api/answers.js").Scaling} Scaling
+ * @typedef {import("../../api/answers.js").VelocityMap} VelocityMap
+ * @typedef {ReturnType<typeof velocityView>} VelocityView
+ * @typedef {{map: VelocityMap, view: VelocityView}} ShownVelocities
+ * @typedef {Record<string, any>} Body of a request
+ * @typedef {{body: Body, change: Change, isNew: boolean}} ScalingWish
+ * @typedef {{body: Body, subject: unknown, isQuick: boolean, view: VelocityView, change: Change}} VelocityWish
+ */
+
+/** Cells of the map of velocities, and points of the cut, at rest and while dragging. */
+const FULL = { normal: 160, tangential: 120, cut: 400 };
+/** A damped collision costs ten times as much, and each column has a damping of its own. */
+const DAMPED = { normal: 96, tangential: 72, cut: 300 };
+const QUICK = { normal: 48, tangential: 36, cut: 120 };
+/** While dragging, half a pixel of a picture will do. */
+const QUICK_TOLERANCE = 4e-3;
+const QUANTITIES = ["epsilon_t", "coulomb"];
+
+/** Of the universal map, which is background. */
+const PLACE = {
+  counts: { kappa: 200, gtOverGn: 150 },
+  axes: /** @type {const} */ ({ scale: "log", map_y: "psi" }),
+};
+
+/** At most so often a map is asked for, in ms: the numbers and the cut go first. */
+const PAUSE = 80;
+
+/**
+ * The scene "Real spheres": materials and velocities in SI units, ε_t over the velocities, and where on
+ * the universal map this is.
+ * @param {import("../scene.js").Page} page
+ * @returns {import("../scene.js").Scene}
+ */
+export function mountSpheres({ client, present, set, preview, say, explainBy }) {
+  const velocities = mountVelocityMap(find(".velocities"), {
+    onPlace: changeImpact,
+    onOption: set,
+  });
+  const cutPlot = createPlot(find(".sphere-cut .plot"), sphereCutFigure);
+  const cutStage = find(".sphere-cut .plot-stage");
+  const placePlot = createPlot(find(".place .plot"), mapFigure);
+  const placeMark = byTestId("place-mark");
+  layOver(placeMark, MAP_MARGIN);
+  const result = createImpactResult(find(".impact"));
+  const controls = mountImpactControls(find(".impact-controls"), {
+    onMaterial: (material) => set({ impact: impactOf(material) }),
+    onChange: changeImpact,
+  });
+  /** @type {Material[]} */
+  let materials = [];
+  let areMaterialsAsked = false;
+  /** @type {{scaling: Scaling | null, velocities: ShownVelocities | null, cut: ShownVelocities | null, place: import("../../state/map-view.js").MapAxes & {grid: import("../../api/answers.js").MapGrid} | null}} */
+  const shown = { scaling: null, velocities: null, cut: null, place: null };
+
+  /**
+   * @param {Partial<Impact>} patch
+   * @param {Change} [change]
+   */
+  function changeImpact(patch, change) {
+    set({ impact: { ...present().impact, ...patch } }, change);
+  }
+
+  /** @param {string} reason */
+  function onRefused(reason) {
+    say(reason);
+    preview(null);
+  }
+
+  const scalings = createFollower({
+    load: (/** @type {ScalingWish} */ { body }, signal) => client.scaling(body, signal),
+    isEnough: (asked, { body, isNew }) => !isNew && isSame(asked.body, body),
+    onAnswer(answer, { change }) {
+      shown.scaling = answer;
+      result.show(answer);
+      velocities.settle(answer);
+      set(collisionOfImpact(answer), change);
+      drawCut(change.dragging);
+      announce("impact", change);
+    },
+    onError: explainBy((reason) => {
+      shown.scaling = null;
+      placeMark.removeAttribute("data-placed");
+      result.refuse(reason);
+      onRefused(reason);
+    }),
+  });
+  const maps = createFollower({
+    load: (/** @type {VelocityWish} */ { body }, signal) => client.velocityMap(body, signal),
+    isEnough: isEnoughVelocities,
+    onAnswer(map, { view, change }) {
+      shown.velocities = { map, view };
+      drawMap();
+      announce("velocities", change);
+    },
+    onError: explainBy(velocities.showReason),
+    pause: PAUSE,
+  });
+  const cuts = createFollower({
+    load: (/** @type {VelocityWish} */ { body }, signal) => client.velocityMap(body, signal),
+    isEnough: isEnoughVelocities,
+    onAnswer(map, { view, change }) {
+      shown.cut = { map, view };
+      showReason(cutStage, "");
+      drawCut(change.dragging);
+      announce("sphere-cut", change);
+    },
+    onError: explainBy(() => showReason(cutStage, "No cut of this one")),
+  });
+  const places = createFollower({
+    load: client.map,
+    isEnough: sameAxes,
+    onAnswer(grid, { view, muOverAlpha }) {
+      shown.place = { grid, view, muOverAlpha };
+      const horizontal = horizontalAxis(view, "kappa", SOLID_ALPHA);
+      placePlot.show({ grid, view, horizontal, quantity: "epsilon_t" });
+      markPlace();
+    },
+    onError: explainBy(onRefused),
+  });
+
+  /**
+   * @param {string} view
+   * @param {Change} change
+   */
+  function announce(view, { inputTimeStamp }) {
+    afterNextFrame(() => announcePainted(view, inputTimeStamp));
+  }
+
+  function drawMap() {
+    if (shown.velocities) {
+      velocities.show(shown.velocities.map, shown.velocities.view, present());
+    }
+  }
+
+  /** @param {boolean} dragging */
+  function drawCut(dragging) {
+    const material = materialOf(present());
+    if (!shown.cut || !material) {
+      return;
+    }
+    const { map, view } = shown.cut;
+    const { tangential } = view;
+    const normal = map.normal_velocity_m_s[0];
+    const { scaling } = shown;
+    const subject = {
+      curves: {
+        epsilon_t: map.epsilon_t.map((row) => row[0]),
+        coulomb: map.coulomb.map((row) => row[0]),
+      },
+      tangential,
+      // Measured at another normal velocity, a point stands at the same angle.
+      measured: (material.measured?.points ?? []).map((point) => ({
+        share: tangential.toShare(
+          normal * (point.tangential_velocity_m_s / point.normal_velocity_m_s),
+        ),
+        epsilon_t: point.epsilon_t,
+      })),
+      here:
+        scaling && scaling.epsilon_t !== null
+          ? {
+              share: tangential.toShare(scaling.tangential_velocity_m_s),
+              epsilon_t: scaling.epsilon_t,
+            }
+          : null,
+    };
+    cutPlot.show(subject, dragging);
+    byTestId("measured-key").hidden = !material.measured;
+  }
+
+  /** Laid over the map, so that moving it draws nothing anew. */
+  function markPlace() {
+    if (shown.place && shown.scaling) {
+      const { x, y } = placeOnMap(shown.place.view, present().collision);
+      placeMark.style.setProperty("--x", String(x));
+      placeMark.style.setProperty("--y", String(1 - y));
+      placeMark.toggleAttribute("data-placed", true);
+    }
+  }
+
+  /** @param {PageState} state */
+  function materialOf({ impact }) {
+    return materials.find(({ id }) => id === impact.material) ?? materials[0] ?? null;
+  }
+
+  async function loadMaterials() {
+    areMaterialsAsked = true;
+    try {
+      materials = await client.materials();
+      controls.offer(materials);
+      const change = { dragging: false, inputTimeStamp: performance.now() };
+      show(present(), null);
+      follow(present(), null, change);
+    } catch (error) {
+      areMaterialsAsked = false;
+      explainBy(onRefused)(error);
+    }
+  }
+
+  /**
+   * @param {PageState} state
+   * @param {PageState | null} previous
+   */
+  function show(state, previous) {
+    const material = materialOf(state);
+    if (state.scene !== "spheres" || !material) {
+      return;
+    }
+    const { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential } = velocitiesOf(
+      valuesOf(material, state.impact),
+    );
+    controls.show(material, state.impact, shown.scaling?.tangential_stiffness_n_per_m ?? NaN);
+    velocities.options(state);
+    velocities.point({ normal, tangential });
+    if (
+      previous &&
+      (previous.velocity_law !== state.velocity_law || previous.shape !== state.shape)
+    ) {
+      drawMap();
+    }
+    markPlace();
+  }
+
+  /**
+   * @param {PageState} state
+   * @param {PageState | null} previous
+   * @param {Change} change
+   */
+  function follow(state, previous, change) {
+    if (state.scene !== "spheres") {
+      return;
+    }
+    const material = materialOf(state);
+    if (!areMaterialsAsked) {
+      loadMaterials();
+    }
+    if (!material) {
+      return;
+    }
+    const contact = contactBody(material, state.impact);
+    const values = valuesOf(material, state.impact);
+    // Set again to what it was, it is an impact of its own: the collision may come from elsewhere.
+    const isNew = previous?.impact !== state.impact || previous.scene !== state.scene;
+    scalings.follow({ body: { ...contact, impact: velocitiesOf(values) }, change, isNew });
+    followVelocities(contact, values, change);
+    if (!change.dragging) {
+      places.follow({
+        ...axesFor({ collision: state.collision, ...PLACE.axes }, false),
+        counts: PLACE.counts,
+      });
+    }
+  }
+
+  /**
+   * @param {Body} contact
+   * @param {ReturnType<typeof valuesOf>} values
+   * @param {Change} change
+   */
+  function followVelocities(contact, values, change) {
+    const { dragging } = change;
+    const { normal_velocity_m_s: normal } = velocitiesOf(values);
+    const view = dragging && shown.velocities ? shown.velocities.view : velocityView(values);
+    const whole = values.dissipative_constant_s === 0 ? FULL : DAMPED;
+    const counts = dragging ? QUICK : whole;
+    const body = {
+      ...contact,
+      ...(dragging ? { tolerance: QUICK_TOLERANCE } : {}),
+      quantities: QUANTITIES,
+    };
+    const rest = { isQuick: dragging, view, change };
+    maps.follow({
+      body: {
+        ...body,
+        normal_velocity_m_s: rangeOf(view.normal, counts.normal),
+        tangential_velocity_m_s: rangeOf(view.tangential, counts.tangential),
+      },
+      subject: [contact, view.most],
+      ...rest,
+    });
+    cuts.follow({
+      body: {
+        ...body,
+        // The least of columns that a map has, side by side.
+        normal_velocity_m_s: { min: normal, max: normal * (1 + 1e-9), count: 2, scale: "linear" },
+        tangential_velocity_m_s: rangeOf(view.tangential, counts.cut),
+      },
+      subject: [contact, view.most, normal],
+      ...rest,
+    });
+  }
+
+  const parameters = () => ({ material: present().impact.material });
+
+  return {
+    show,
+    follow,
+
+    /** The collision of another impact follows when it is worked out. */
+    decides: (state, previous) => state.scene === "spheres" && state.impact !== previous.impact,
+
+    forget() {
+      for (const follower of [scalings, maps, cuts, places]) {
+        follower.forget();
+      }
+    },
+
+    pictures: {
+      velocities: {
+        title: "ε_t over the velocities",
+        request: () => ({ call: "scaling/map", query: {}, body: maps.asked()?.body ?? {} }),
+        parameters,
+        table: () => shown.velocities && velocityMapTable(shown.velocities.map),
+      },
+      sphere_cut: {
+        title: "ε_t over the tangential velocity",
+        request: () => ({ call: "scaling/map", query: {}, body: cuts.asked()?.body ?? {} }),
+        parameters,
+        table: () => shown.cut && sphereCutTable(shown.cut.map),
+      },
+      impact: {
+        title: "Impact",
+        request: () => ({ call: "scaling", query: {}, body: scalings.asked()?.body ?? {} }),
+        parameters,
+      },
+      place: {
+        title: "Place on the universal map",
+        request() {
+          const axes = shown.place ?? axesFor({ ...present(), ...PLACE.axes }, false);
+          const { view, muOverAlpha } = axes;
+          return { call: "map", query: mapQuery({ view, muOverAlpha, counts: PLACE.counts }) };
+        },
+        parameters: () => ({ ...present().collision }),
+        table() {
+          const { collision } = present();
+          return (
+            shown.place &&
+            mapTable(
+              { grid: shown.place.grid, quantity: "epsilon_t" },
+              rowsOf(shown.place.view, collision),
+              collision,
+            )
+          );
+        },
+      },
+    },
+  };
+}
+
+/** @param {ReturnType<typeof valuesOf>} values */
+function velocitiesOf({ normal_velocity_m_s: normal, tangential_velocity_m_s: tangential }) {
+  return { normal_velocity_m_s: normal ?? 1, tangential_velocity_m_s: tangential ?? 0 };
+}
+
+/** @param {VelocityWish} asked @param {VelocityWish} wish */
+function isEnoughVelocities(asked, wish) {
+  return isSame(asked.subject, wish.subject) && (wish.isQuick || !asked.isQuick);
+}
+
+/**
+ * @param {import("../../state/scales.js").Scale} scale
+ * @param {number} count
+ */
+function rangeOf({ min, max }, count) {
+  return { min, max, count, scale: "linear" };
+}

@@ -1,0 +1,143 @@
+// @ts-check
+
+import { typable } from "../../format/number.js";
+import { clamp } from "../../state/scales.js";
+import { mountCrosshair } from "../../widgets/crosshair.js";
+import { byTestId, find } from "../../widgets/find.js";
+import { createMapLegend } from "../../widgets/map-legend.js";
+import { createPlot } from "../../widgets/plot.js";
+import { showReason } from "../../widgets/show-reason.js";
+import { createSurface } from "../../widgets/surface.js";
+import { onThemeChange } from "../../widgets/theme.js";
+import { velocityMapFigure } from "./velocity-map-figure.js";
+
+/**
+ * @typedef {import("../../api/answers.js").Scaling} Scaling
+ * @typedef {import("../../api/answers.js").VelocityMap} VelocityMap
+ * @typedef {ReturnType<typeof import("../../state/impact.js").velocityView>} VelocityView
+ * @typedef {import("../../state/url.js").PageState} PageState
+ */
+
+/** @type {import("../../widgets/crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */
+const AXES = {
+  place(view, { normal, tangential }) {
+    const [x, y] = [view.normal.toShare(normal), view.tangential.toShare(tangential)];
+    return { x: clamp(x), y: clamp(y), outside: x > 1.01 || y > 1.01 || x < -0.01 };
+  },
+  at: (view, x, y) => ({
+    normal_velocity_m_s: Number(view.normal.fromShare(clamp(x)).toPrecision(4)),
+    tangential_velocity_m_s: Number(view.tangential.fromShare(clamp(y)).toPrecision(4)),
+  }),
+  horizontal: "normal_velocity_m_s",
+  vertical: "tangential_velocity_m_s",
+  words: ({ normal, tangential }) => `g_n ${typable(normal)} m/s, g_t ${typable(tangential)} m/s`,
+};
+
+/**
+ * ε_t over the velocities of an impact, flat or in depth.
+ * @param {HTMLElement} element
+ * @param {object} handlers
+ * @param {Parameters<typeof mountCrosshair>[2]} handlers.onPlace
+ * @param {(patch: Record<string, string>) => void} handlers.onOption
+ */
+export function mountVelocityMap(element, { onPlace, onOption }) {
+  const plotElement = find(".plot", element);
+  const stage = find(".plot-stage", element);
+  const plot = createPlot(plotElement, velocityMapFigure);
+  const surface = createSurface(stage);
+  const legend = createMapLegend(byTestId("velocity-legend", element));
+  const crosshair = mountCrosshair(find(".crosshair", element), AXES, onPlace);
+  onThemeChange(() => legend.draw("epsilon_t", 0));
+  /** @type {{map: VelocityMap, view: VelocityView} | null} */
+  let shown = null;
+  /** @type {Scaling | null} */
+  let settled = null;
+
+  element.addEventListener("change", (event) => {
+    const { name, type, value, checked } = /** @type {HTMLInputElement} */ (event.target);
+    onOption({ [name]: type !== "checkbox" || checked ? value : "flat" });
+  });
+
+  function pointSurface() {
+    if (shown && settled && settled.epsilon_t !== null) {
+      const { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential } = settled;
+      const { x, y } = AXES.place(shown.view, { normal, tangential });
+      surface.point({ x, y, epsilon_t: settled.epsilon_t, switches: settled.switches });
+    }
+  }
+
+  return {
+    /** @param {PageState} state */
+    options({ velocity_law: law, shape }) {
+      const choice = find(`[name="velocity_law"][value="${law}"]`, element);
+      /** @type {HTMLInputElement} */ (choice).checked = true;
+      /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element)).checked =
+        shape === "surface";
+    },
+
+    point: crosshair.point,
+
+    /**
+     * @param {VelocityMap} map
+     * @param {VelocityView} view
+     * @param {PageState} state
+     */
+    show(map, view, { velocity_law, shape }) {
+      const law = velocity_law === "coulomb" ? "coulomb" : "epsilon_t";
+      shown = { map, view };
+      showReason(stage, "");
+      element.dataset.shape = shape;
+      if (shape === "surface") {
+        pointSurface();
+        surface.show(inDepth(map, law, view));
+      } else {
+        surface.close();
+        plot.show({ cells: map[law], view });
+      }
+      crosshair.lieOn(view);
+      legend.draw("epsilon_t", 0);
+      plotElement.setAttribute(
+        "aria-label",
+        `ε_t ${law === "coulomb" ? "by Coulomb’s law " : ""}over normal and tangential velocity up to ${typable(view.most)} m/s.`,
+      );
+    },
+
+    /** Why there is none, the impact itself tells. */
+    showReason: () => showReason(stage, "No map of this one"),
+
+    /** What the server says of the present impact. @param {Scaling} scaling */
+    settle(scaling) {
+      settled = scaling;
+      if (scaling.epsilon_t !== null) {
+        legend.point({ epsilon_t: scaling.epsilon_t, switches: scaling.switches });
+      }
+      pointSurface();
+    },
+  };
+}
+
+/**
+ * The map of velocities in the words of a surface.
+ * @param {VelocityMap} map
+ * @param {"epsilon_t" | "coulomb"} law
+ * @param {VelocityView} view
+ */
+function inDepth(map, law, { normal, tangential }) {
+  const cells = map[law];
+  return {
+    grid: {
+      kappa: map.normal_velocity_m_s,
+      gt_over_gn: map.tangential_velocity_m_s,
+      epsilon_t: cells,
+      // Of these there is no picture over the velocities.
+      switches: [],
+    },
+    view: {
+      scale: /** @type {const} */ ("linear"),
+      vertical: /** @type {const} */ ("tangential_velocity"),
+      gtOverGn: tangential,
+    },
+    horizontal: { symbol: /** @type {const} */ ("normal_velocity"), scale: normal },
+    quantity: /** @type {const} */ ("epsilon_t"),
+  };
+}

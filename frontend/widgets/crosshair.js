@@ -1,0 +1,129 @@
+// @ts-check
+
+import { MAP_MARGIN } from "../figures/plot-area.js";
+import { typable } from "../format/number.js";
+import { collisionAt, placeOnMap } from "../state/map-view.js";
+import { followDrag } from "./drag.js";
+import { find } from "./find.js";
+import { layOver } from "./overlay.js";
+
+/** One press of an arrow key, as a share of the map. */
+const KEY_STEP = 0.005;
+
+/** @type {Record<string, {right: number, up: number} | undefined>} */
+const DIRECTIONS = {
+  ArrowRight: { right: 1, up: 0 },
+  ArrowLeft: { right: -1, up: 0 },
+  ArrowUp: { right: 0, up: 1 },
+  ArrowDown: { right: 0, up: -1 },
+};
+
+/**
+ * What the axes of a map mean.
+ * @template View, Subject
+ * @typedef {object} Axes
+ * @property {(view: View, subject: Subject) => {x: number, y: number, outside: boolean}} place of what is present, as shares
+ * @property {(view: View, x: number, y: number, subject: Subject) => Record<string, number>} at what a place stands for
+ * @property {string} horizontal what of that belongs to the horizontal axis
+ * @property {string} vertical
+ * @property {(subject: Subject) => string} words
+ */
+
+/** @type {Axes<import("../state/map-view.js").MapView, import("../state/parameters.js").Collision>} */
+export const MAP_AXES = {
+  place: placeOnMap,
+  at: (view, x, y, { mu_over_alpha: mu }) => collisionAt(view, x, y, mu),
+  horizontal: "kappa",
+  vertical: "gt_over_gn",
+  words: ({ kappa, gt_over_gn: ratio }) => `κ ${typable(kappa)}, g_t/g_n ${typable(ratio)}`,
+};
+
+/**
+ * The crosshair of a map, laid over the plot so that moving it draws nothing anew: by pointer, or by
+ * the arrow keys.
+ * @template View, Subject
+ * @param {HTMLElement} element
+ * @param {Axes<View, Subject>} axes
+ * @param {(place: Record<string, number>, change: import("../state/store.js").Change) => void} onPlace
+ */
+export function mountCrosshair(element, axes, onPlace) {
+  const template = /** @type {HTMLTemplateElement} */ (find("#crosshair"));
+  element.append(template.content.cloneNode(true));
+  const beyond = find(".beyond", element);
+  layOver(element, MAP_MARGIN);
+  /** @type {View | null} */
+  let view = null;
+  /** @type {Subject | null} */
+  let present = null;
+  let isMoving = false;
+
+  followDrag(element, {
+    onMove(x, y, change) {
+      if (view && present) {
+        onPlace(axes.at(view, x, y, present), change);
+      }
+    },
+    onEnd: (change) => onPlace({}, change),
+  });
+  element.addEventListener("keydown", (event) => {
+    const direction = DIRECTIONS[event.key];
+    if (direction && view && present) {
+      event.preventDefault();
+      const at = axes.place(view, present);
+      const step = event.shiftKey ? 10 * KEY_STEP : KEY_STEP;
+      const { right, up } = direction;
+      const next = axes.at(view, at.x + step * right, at.y + step * up, present);
+      // The other of the two stays to the last digit.
+      const moving = right ? axes.horizontal : axes.vertical;
+      const moved = { [moving]: next[moving] };
+      onPlace(moved, { dragging: true, inputTimeStamp: event.timeStamp });
+      isMoving = true;
+    }
+  });
+  for (const kind of ["keyup", "blur"]) {
+    element.addEventListener(kind, (event) => {
+      if (isMoving) {
+        isMoving = false;
+        onPlace({}, { dragging: false, inputTimeStamp: event.timeStamp });
+        describe();
+      }
+    });
+  }
+  element.addEventListener("focus", describe);
+
+  /** In words, but not at every step of a drag. */
+  function describe() {
+    if (present) {
+      const words = axes.words(present);
+      element.setAttribute(
+        "aria-label",
+        `${words}. Arrow keys move it, with Shift in large steps.`,
+      );
+    }
+  }
+
+  function move() {
+    if (view && present) {
+      const { x, y, outside } = axes.place(view, present);
+      element.style.setProperty("--x", String(x));
+      element.style.setProperty("--y", String(1 - y));
+      element.toggleAttribute("data-placed", true);
+      beyond.hidden = !outside;
+    }
+  }
+
+  return {
+    /** The axes of the map below it. @param {View} next */
+    lieOn(next) {
+      view = next;
+      move();
+      describe();
+    },
+
+    /** What is present. @param {Subject} subject */
+    point(subject) {
+      present = subject;
+      move();
+    },
+  };
+}

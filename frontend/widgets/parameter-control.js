@@ -1,0 +1,158 @@
+// @ts-check
+
+import { brief, typable } from "../format/number.js";
+import { PLAIN_SYMBOLS, SYMBOLS } from "../format/symbols.js";
+import { parseParameter, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
+import { find } from "./find.js";
+
+/** After so many ms without a key, a number is taken for typed. */
+const TYPING_PAUSE = 600;
+
+/** So many characters stand in a field in the usual type. */
+const USUAL_LENGTH = 7;
+
+/**
+ * A slider, a number field and a reset for one parameter.
+ * @param {HTMLElement} parent
+ * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
+ * @param {(value: number | null, change: import("../state/store.js").Change) => void} onChange told null where a reset has it worked out of the others
+ */
+export function mountParameterControl(parent, parameter, onChange) {
+  const template = /** @type {HTMLTemplateElement} */ (find("#parameter-control"));
+  const fragment = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
+  const root = find(".parameter", fragment);
+  const slider = /** @type {HTMLInputElement} */ (find(".parameter-slider", root));
+  const field = /** @type {HTMLInputElement} */ (find(".parameter-field", root));
+  const reset = /** @type {HTMLButtonElement} */ (find(".parameter-reset", root));
+  const problem = find(".parameter-problem", root);
+  const hook = parameter.key.replaceAll("_", "-");
+  const plainSymbol = PLAIN_SYMBOLS[parameter.key];
+  let value = NaN;
+  /** Whether the value is not set, but worked out of others. */
+  let workedOut = false;
+  /** What a reset goes back to. @type {number | null | undefined} */
+  let usual;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let pause;
+
+  root.dataset.parameter = hook;
+  find("label", root).setAttribute("for", `${hook}-field`);
+  find(".parameter-symbol", root).innerHTML = SYMBOLS[parameter.key];
+  find(".parameter-name", root).textContent = parameter.name;
+  field.id = `${hook}-field`;
+  field.dataset.testid = `${hook}-field`;
+  problem.id = `${hook}-problem`;
+  problem.dataset.testid = `${hook}-problem`;
+  field.setAttribute("aria-describedby", problem.id);
+  slider.dataset.testid = `${hook}-slider`;
+  slider.setAttribute("aria-label", `${plainSymbol}, ${parameter.name}`);
+  slider.max = String(SLIDER_STEPS);
+  reset.dataset.testid = `${hook}-reset`;
+  find(".parameter-ticks", root).append(...ticks(parameter));
+
+  slider.addEventListener("input", (event) => {
+    onChange(valueAtStep(parameter, slider.valueAsNumber), {
+      dragging: true,
+      inputTimeStamp: event.timeStamp,
+    });
+  });
+  slider.addEventListener("change", (event) => {
+    onChange(present(), { dragging: false, inputTimeStamp: event.timeStamp });
+  });
+  field.addEventListener("input", (event) => {
+    const typed = parseParameter(parameter, field.value);
+    tellProblem(typed === null);
+    clearTimeout(pause);
+    if (typed !== null) {
+      onChange(typed, { dragging: true, inputTimeStamp: event.timeStamp });
+      pause = setTimeout(settle, TYPING_PAUSE);
+    }
+  });
+  field.addEventListener("change", settle);
+  field.addEventListener("blur", () => {
+    tellProblem(false);
+    write();
+  });
+  field.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (direction) {
+      event.preventDefault();
+      const step = sliderStep(parameter, value) + direction * (event.shiftKey ? 10 : 1);
+      onChange(valueAtStep(parameter, Math.min(SLIDER_STEPS, Math.max(0, step))), {
+        dragging: false,
+        inputTimeStamp: event.timeStamp,
+      });
+      write();
+      tellProblem(false);
+    }
+  });
+  reset.addEventListener("click", (event) => {
+    onChange(usual ?? null, { dragging: false, inputTimeStamp: event.timeStamp });
+    // The button has done its work and gives the focus up; a finger wants no keyboard on the screen.
+    if (event.detail === 0) {
+      field.focus();
+    }
+  });
+
+  /** What was typed stands: it need not be left for that. */
+  function settle() {
+    clearTimeout(pause);
+    onChange(present(), { dragging: false, inputTimeStamp: performance.now() });
+  }
+
+  function present() {
+    return workedOut ? null : value;
+  }
+
+  function write() {
+    field.value = typable(value);
+    field.toggleAttribute("data-long", field.value.length > USUAL_LENGTH);
+  }
+
+  /** @param {boolean} wrong */
+  function tellProblem(wrong) {
+    field.setAttribute("aria-invalid", String(wrong));
+    problem.textContent = wrong ? `${plainSymbol} must be ${parameter.requirement}` : "";
+  }
+
+  parent.append(root);
+  return {
+    /**
+     * @param {number} next
+     * @param {number | null} initial what a reset goes back to; null is worked out of the others
+     * @param {boolean} [isWorkedOut] whether the present value is
+     */
+    show(next, initial, isWorkedOut = false) {
+      value = next;
+      workedOut = isWorkedOut;
+      root.toggleAttribute("data-worked-out", isWorkedOut);
+      if (initial !== usual) {
+        usual = initial;
+        const there = usual === null ? "what the bodies make it" : typable(usual);
+        reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${there}`);
+        reset.title = `Back to ${there}`;
+      }
+      slider.valueAsNumber = sliderStep(parameter, value);
+      slider.setAttribute(
+        "aria-valuetext",
+        `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
+      );
+      field.title = isWorkedOut ? "worked out from the bodies" : "";
+      reset.disabled = present() === usual;
+      if (document.activeElement !== field) {
+        write();
+        tellProblem(false);
+      }
+    },
+  };
+}
+
+/** @param {Pick<import("../state/parameters.js").Parameter, "ticks" | "scale">} parameter */
+function ticks(parameter) {
+  return parameter.ticks.map((tick) => {
+    const mark = document.createElement("span");
+    mark.textContent = brief(tick);
+    mark.style.setProperty("--share", String(parameter.scale.toShare(tick)));
+    return mark;
+  });
+}
