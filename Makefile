@@ -22,7 +22,7 @@ WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench times load tradeoff verify screenshots types fonts lock clean
+.PHONY: help serve test check format bench times load tradeoff verify screenshots pictures types fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -72,6 +72,9 @@ verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a t
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py
 
+pictures: $(DEVELOPMENT) ## those of docs/python-walk.md, by its own lines
+	@mkdir -p docs/pictures && $(BIN)/python tests/walk.py docs/pictures
+
 types: $(DEVELOPMENT) $(MODULES) ## frontend/api/openapi.d.ts from the document of the service
 	@mkdir -p build && $(BIN)/restitution openapi > build/openapi.json
 	@$(NPM) run --silent types
@@ -81,7 +84,7 @@ fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fo
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(LOCK) --group build --output-file requirements.lock
-	$(LOCK) --group dev --extra cluster --constraints requirements.lock --output-file requirements-dev.lock
+	$(LOCK) --group dev --extra cluster --extra notebook --constraints requirements.lock --output-file requirements-dev.lock
 	$(NPM) install --package-lock-only
 
 clean: ## remove the environment and whatever the tools left

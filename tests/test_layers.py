@@ -11,15 +11,16 @@ BACKEND = ROOT / "backend" / "restitution"
 FRONTEND = ROOT / "frontend"
 
 NUMBERS = {"mechanics", "errors", "interruption"}
-STUDIES = {"studies", "methods", "bounds"} | NUMBERS
+STUDIES = {"studies", "methods", "bounds", "quantities"} | NUMBERS
 MAY_IMPORT = {
     "mechanics": NUMBERS,
-    "methods": {"methods", "bounds"} | NUMBERS,
+    "methods": {"methods", "bounds", "quantities"} | NUMBERS,
     "studies": STUDIES,
     "paper": {"paper"} | STUDIES,
     "export": {"export"} | STUDIES,
     "wire": {"wire", "export", "paper"} | STUDIES,
     "api": {"api", "wire", "paper"} | STUDIES,
+    "public": {"public", "api", "paper"} | STUDIES,
 }
 
 LIBRARIES_OF_MECHANICS = {"numpy", "scipy", "numba"}

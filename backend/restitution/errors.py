@@ -5,7 +5,13 @@ import numpy.typing as npt
 
 
 class RestitutionError(Exception):
-    """Base of every error that this package raises on purpose."""
+    """Base of every error that this package raises on purpose.
+
+    Examples
+    --------
+    >>> issubclass(ParameterError, RestitutionError), issubclass(CostError, RestitutionError)
+    (True, True)
+    """
 
 
 class ParameterError(RestitutionError, ValueError):
@@ -19,6 +25,11 @@ class ParameterError(RestitutionError, ValueError):
         As received.
     requirement : str
         What holds for allowed values, to stand after "must be".
+
+    Examples
+    --------
+    >>> str(ParameterError("kappa", -1.0, "finite and > 0"))
+    'kappa must be finite and > 0, got -1.0'
     """
 
     def __init__(self, parameter: str, value: object, requirement: str) -> None:
@@ -33,7 +44,24 @@ class ParameterError(RestitutionError, ValueError):
 
 
 class CostError(RestitutionError):
-    """A request that would cost more than its budget, refused before any work."""
+    """A request that would cost more than its budget, refused before any work.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> try:
+    ...     rs.epsilon_t(1e12, 1.0, 1.0)
+    ... except CostError:
+    ...     float(rs.collision(1e12, 1.0, 1.0, tolerance=1e-3).epsilon_t)
+    0.0
+    """
+
+
+class MissingExtraError(RestitutionError, ImportError):
+    """A package of one of our extras that is not installed."""
+
+    def __init__(self, package: str | None, extra: str) -> None:
+        super().__init__(f"there is no {package} here: pip install 'restitution[{extra}]'")
 
 
 def require(

@@ -44,6 +44,10 @@ def test_references_lead_somewhere(reference):
     assert resolved({"$ref": reference})
 
 
+def test_descriptions_are_not_about_python():
+    assert not re.search(r">>>|(Raises|Examples)\\n---", str(DOCUMENT))
+
+
 def test_nothing_is_described_that_nothing_refers_to():
     for kind, parts in DOCUMENT["components"].items():
         for name in parts:

@@ -63,6 +63,14 @@ def create_service() -> FastAPI:
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     def prepare() -> None:
+        try:
+            prepare_all()
+        except RuntimeError as error:
+            # the process ends, and the pool of threads with it, before all is prepared
+            if "cannot schedule new futures" not in str(error):
+                raise
+
+    def prepare_all() -> None:
         begin = time.perf_counter()
         warm()
         app.state.ready.set()

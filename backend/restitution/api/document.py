@@ -4,6 +4,7 @@ A route names the model of its answer; headers, forms and refusals follow from t
 Nothing of this acts on a request.
 """
 
+import re
 from collections.abc import Mapping
 from importlib.metadata import version
 from typing import Any, Literal, get_args
@@ -247,10 +248,16 @@ def _complete(document: dict[str, Any], bodies: list[type]) -> None:
     whole = [each for each in vars(answers).values() if getattr(each, "__name__", "") in named]
     components["schemas"] |= _schemas("serialization", *filter(is_typeddict, whole))
     components["schemas"] |= _schemas("validation", *bodies)
+    for schema in components["schemas"].values():
+        if text := schema.get("description"):
+            schema["description"] = ABOUT_PYTHON.split(text, maxsplit=1)[0]
     components["parameters"] = {"IfNoneMatch": IF_NONE_MATCH}
     components["headers"] = HEADERS
     components["responses"] = _responses()
 
+
+ABOUT_PYTHON = re.compile(r"\n\n(?:Raises|Examples)\n-+\n")
+"""Where the docstring of a class begins to speak of Python alone."""
 
 IF_NONE_MATCH = {
     "name": "If-None-Match",

@@ -12,6 +12,7 @@ from restitution.bounds import Meaning, closed
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.viscoelastic import MOST_DAMPING
+from restitution.quantities import QUANTITIES
 
 # with a name of its own in documents: generators of clients make a class of it
 Method = TypeAliasType(
@@ -23,13 +24,13 @@ AnsweringMethod = TypeAliasType(
     Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode"],
 )
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
-Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), Meaning("η = (3/2) A β^{2/5} g_n^{1/5}")]
+Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), QUANTITIES["damping"]]
 
 EpsilonT = Annotated[
     float, Meaning("ε_t, from -1 to 1 unless `timestep` is unstable with so few steps")
 ]
-ErrorBound = Annotated[float, Ge(0), Meaning("bound on the absolute error of ε_t")]
-ToleranceMet = Annotated[bool, Meaning("whether error_bound is within the tolerance")]
+ErrorBound = Annotated[float, Ge(0), QUANTITIES["error_bound"]]
+ToleranceMet = Annotated[bool, QUANTITIES["tolerance_met"]]
 Tolerance = Annotated[float, Ge(1e-13), Le(1), Meaning("largest absolute error wanted in ε_t")]
 
 
@@ -52,6 +53,16 @@ class Options:
         Relative tolerance of ``ode``.
     floor : float
         ε₀ of ``pragmatic``.
+
+    Raises
+    ------
+    ParameterError
+        If one of them is out of range.
+
+    Examples
+    --------
+    >>> Options(method="timestep", steps=100).integrator
+    'velocity_verlet'
     """
 
     damping: Damping = 0.0

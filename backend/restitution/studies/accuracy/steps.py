@@ -1,7 +1,7 @@
 """How many steps per contact a wanted error takes: measured on a ladder of step counts."""
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import astuple, dataclass, fields
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from restitution.mechanics.viscoelastic import contact_duration
 from restitution.studies.accuracy.reference import Reference, exact_reference, reference
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.tabular import Table, Tabular
 
 LADDER = tuple(round(2.0 ** (half / 2)) for half in range(4, 33))
 """Steps per contact, 4 … 65,536, by factors of √2."""
@@ -64,7 +65,7 @@ class Needed:
 
 
 @dataclass(frozen=True)
-class StepsStudy:
+class StepsStudy(Tabular):
     """What time steps make of a collision or a region.
 
     Attributes
@@ -82,6 +83,13 @@ class StepsStudy:
         Integrator → `Spread` of the errors by that rule, if it asks for no more than `MOST_STEPS`.
     ladder : list of (integrator, steps, Spread)
         What was measured.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> errors = rs.steps(1e-2, 63, 1.4, 1.358).to_pandas().error_max
+    >>> bool(errors["velocity_verlet", 32] <= 1e-2)
+    True
     """
 
     collisions: int
@@ -91,6 +99,23 @@ class StepsStudy:
     rule_steps: tuple[float, float]
     rule: dict[str, Spread]
     ladder: list[tuple[str, int, Spread]]
+
+    def table(self) -> Table:
+        """Return the ladder over integrators and steps."""
+        axes = {"integrator": np.array(list(INTEGRATORS)), "steps": np.array(LADDER)}
+        errors = np.array([astuple(spread) for _, _, spread in self.ladder])
+        return Table(
+            axes,
+            {
+                error.name: column.reshape(len(INTEGRATORS), len(LADDER))
+                for error, column in zip(fields(Spread), errors.T, strict=True)
+            },
+            remarks={
+                "collisions": self.collisions,
+                "phases": self.phases,
+                "stability_limit": self.stability_limit,
+            },
+        )
 
 
 def study_steps(error: float, where: CollisionParameters | SceneName) -> StepsStudy:

@@ -92,6 +92,11 @@ class Measurement:
         For some wanted errors.
     rows : list of Row
         Methods with their knobs.
+
+    Examples
+    --------
+    >>> sorted({row.method for row in stored_measurement("stiff").rows})[0]
+    'auto'
     """
 
     scene: SceneName
@@ -272,6 +277,21 @@ def load_tradeoff(source: Path = STORED) -> dict[SceneName, Any]:
     """Return stored measurements, scene → `Measurement` as a dictionary."""
     stored: dict[SceneName, Any] = json.loads(source.read_text())
     return stored
+
+
+def stored_measurement(scene: SceneName) -> Measurement:
+    """Return the measurement of a scene that is kept with the package."""
+    stored = load_tradeoff()[scene]
+    steps = [
+        WantedError(
+            wanted["error"],
+            {name: Needed(**needed) for name, needed in wanted["needed"].items()},
+            {name: Spread(**spread) for name, spread in wanted["rule"].items()},
+            (wanted["rule_steps"][0], wanted["rule_steps"][1]),
+        )
+        for wanted in stored["steps"]
+    ]
+    return Measurement(**stored | {"steps": steps, "rows": [Row(**row) for row in stored["rows"]]})
 
 
 def store_tradeoff(measurement: Measurement, target: Path = STORED) -> None:

@@ -16,6 +16,16 @@ class Axis:
     """`count` values from `minimum` to `maximum`, on a ``linear`` or ``log`` scale.
 
     `prefix` stands before minimum, maximum and count in messages about them.
+
+    Raises
+    ------
+    ParameterError
+        By `values`, if the range is empty, or reaches 0 where it must not.
+
+    Examples
+    --------
+    >>> Axis(0.1, 10.0, 3, "log").values(positive=True)
+    array([ 0.1,  1. , 10. ])
     """
 
     minimum: float

@@ -7,15 +7,42 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy, study_batch
+from restitution.studies.collision.parameters import CONVENTION
+from restitution.studies.tabular import Table, Tabular
 
 
 @dataclass(frozen=True)
-class CutStudy:
-    """Quantities along one parameter; `values` and the columns have shape (count,)."""
+class CutStudy(Tabular):
+    """Quantities along one parameter.
+
+    Attributes
+    ----------
+    along : str
+        ``"kappa"`` or ``"gt_over_gn"``.
+    values : ndarray, shape (count,)
+        Of that parameter.
+    batch : BatchStudy
+        Columns of shape (count,).
+
+    Examples
+    --------
+    >>> study_cut(Axis(1, 60, 4), 1.4, gt_over_gn=5.6).to_pandas().epsilon_t.to_list()
+    [0.5, 0.5, 0.5, 0.5]
+    """
 
     along: str
     values: FloatArray
     batch: BatchStudy
+
+    def table(self) -> Table:
+        """Return the quantities over the parameter that varies."""
+        rest = [name for name in self.batch.given if name != self.along]
+        return Table(
+            {self.along: self.values},
+            self.batch.found(self.values.shape),
+            self.batch.held(*rest),
+            {"convention": CONVENTION},
+        )
 
 
 def study_cut(

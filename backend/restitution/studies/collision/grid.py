@@ -9,10 +9,12 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy, study_batch
+from restitution.studies.collision.parameters import CONVENTION
+from restitution.studies.tabular import Table, Tabular
 
 
 @dataclass(frozen=True)
-class GridStudy:
+class GridStudy(Tabular):
     """A map.
 
     Attributes
@@ -21,11 +23,25 @@ class GridStudy:
     gt_over_gn : ndarray, shape (k,)
     batch : BatchStudy
         Columns of length k n, κ fastest.
+
+    Examples
+    --------
+    >>> study_grid(Axis(1, 60, 6), Axis(0.1, 4, 5), 1.4).to_xarray().epsilon_t.dims
+    ('gt_over_gn', 'kappa')
     """
 
     kappa: FloatArray
     gt_over_gn: FloatArray
     batch: BatchStudy
+
+    def table(self) -> Table:
+        """Return the quantities over g_t/g_n and κ."""
+        return Table(
+            {"gt_over_gn": self.gt_over_gn, "kappa": self.kappa},
+            self.batch.found((self.gt_over_gn.size, self.kappa.size)),
+            self.batch.held("mu_over_alpha", "damping"),
+            {"convention": CONVENTION},
+        )
 
 
 def study_grid(

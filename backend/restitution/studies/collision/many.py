@@ -1,12 +1,13 @@
 """Many collisions at once, with the quantities asked for."""
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
+from restitution.bounds import annotations
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
@@ -17,7 +18,8 @@ from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.methods.exact import follow_affordable, known
 from restitution.studies.collision.dampings import by_damping
-from restitution.studies.collision.parameters import check
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, check
+from restitution.studies.tabular import Table, Tabular
 
 MOST_DAMPINGS = 2000
 """Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
@@ -43,8 +45,8 @@ Column = FloatArray | npt.NDArray[np.int32]
 
 
 @dataclass(frozen=True)
-class BatchStudy:
-    """Many collisions; arrays of shape (N,).
+class BatchStudy(Tabular):
+    """Many collisions in scaled units; arrays of shape (N,).
 
     Attributes
     ----------
@@ -57,18 +59,50 @@ class BatchStudy:
         Bound on the absolute error of ε_t.
     tolerance_met : ndarray of bool
         Whether that is within the tolerance.
+    given : dict of str to ndarray, shape () or (N,)
+        The parameters: `kappa`, `mu_over_alpha`, `gt_over_gn`, `damping`.
+
+    Examples
+    --------
+    >>> found = study_batch([18, 63], 1.4, 5.6)
+    >>> found.columns["epsilon_t"], found.one_method
+    (array([0.5, 0.5]), 'exact')
+    >>> list(found.to_pandas())[:5]
+    ['kappa', 'mu_over_alpha', 'gt_over_gn', 'damping', 'epsilon_t']
     """
 
     columns: dict[str, Column]
     method: npt.NDArray[np.str_]
     error_bound: FloatArray
     tolerance_met: npt.NDArray[np.bool_]
+    given: dict[str, FloatArray] = field(default_factory=dict)
 
     @property
     def one_method(self) -> str:
         """Name of the method, or ``mixed``."""
         names = np.unique(self.method)
         return str(names[0]) if names.size == 1 else "mixed"
+
+    def table(self) -> Table:
+        """Return the collisions in their order."""
+        return Table(
+            {"collision": np.arange(self.method.size)},
+            self.found(self.method.shape),
+            {n: np.broadcast_to(values, self.method.shape) for n, values in self.given.items()},
+            {"convention": CONVENTION},
+        )
+
+    def found(self, shape: tuple[int, ...]) -> dict[str, npt.NDArray[Any]]:
+        """Return everything that was found, as arrays of `shape`."""
+        answered = ("method", "error_bound", "tolerance_met")
+        return {
+            **{name: column.reshape(shape) for name, column in self.columns.items()},
+            **{name: getattr(self, name).reshape(shape) for name in answered},
+        }
+
+    def held(self, *names: str) -> dict[str, npt.NDArray[Any]]:
+        """Return parameters that are the same in all collisions, each as one number."""
+        return {name: self.given[name].ravel()[0] for name in names}
 
 
 def study_batch(
@@ -92,7 +126,8 @@ def study_batch(
     """
     options = options or Options()
     kappas, frictions, tangentials, etas = (
-        np.asarray(value, dtype=np.float64)
+        # copies, for the study keeps them
+        np.array(value, dtype=np.float64)
         for value in (
             kappa,
             mu_over_alpha,
@@ -101,13 +136,16 @@ def study_batch(
         )
     )
     check(kappas, frictions, tangentials, etas)
+    each = kappas, frictions, tangentials, etas
     kappas, psis, many = np.broadcast_arrays(
         np.atleast_1d(kappas), scaled_velocity(frictions, tangentials), etas
     )
+    given = dict(zip(annotations(CollisionParameters), each, strict=True))
     # copies, for numba warns of arrays that were broadcast
     kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
     if etas.size <= 1:
-        return _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
+        found = _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
+        return replace(found, given=given)
     groups = by_damping(many)
     if len(groups) > MOST_DAMPINGS:
         raise CostError(
@@ -124,7 +162,8 @@ def study_batch(
         )
         for eta, part in groups
     ]
-    return _joined(studies, np.argsort(np.concatenate([part for _, part in groups])))
+    found = _joined(studies, np.argsort(np.concatenate([part for _, part in groups])))
+    return replace(found, given=given)
 
 
 def _joined(studies: list[BatchStudy], places: npt.NDArray[np.intp]) -> BatchStudy:

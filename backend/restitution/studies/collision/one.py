@@ -76,7 +76,42 @@ class Sensitivity:
 class CollisionStudy:
     """The result of one collision; None where the method cannot give a quantity.
 
-    Attributes are those of ``GET /collision``; see docs/model.md.
+    Attributes
+    ----------
+    parameters : CollisionParameters
+        κ, μ/α, g_t/g_n, η, and ψ.
+    epsilon_t, epsilon_n : float
+        Coefficients of tangential and normal restitution.
+    switches, reversals : int
+        Changes between sliding and sticking; sign changes of g_t(t) within the contact.
+    switches_certain : bool
+        False where double precision cannot tell.
+    contact_duration : float
+        t_c in units of t_scale.
+    episodes : list of Episode
+        The first `episode_limit` of them; `episodes_truncated` where there are more.
+    energy : Energy
+        Of the tangential motion, in units of α m_eff g_n².
+    estimates : Estimates
+        Simple laws for the same collision.
+    sensitivity : Sensitivity
+        ∂ε_t/∂ln κ and ∂ε_t/∂ln ψ.
+    summary : str
+        The collision in a sentence.
+    limit : bool
+        Whether this is the limit ψ → 0, as g_t = 0.
+    method : str
+        The one that answered.
+    error_bound : float
+        Bound on the absolute error of ε_t; `tolerance_met` where it is within the tolerance.
+    convention : str
+        Sign and point of reference of every number.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> rs.collision(63, 1.4, 1.358).energy.dissipated_share > 0.999
+    True
     """
 
     parameters: CollisionParameters

@@ -5,15 +5,16 @@ from typing import Annotated
 
 from annotated_types import Ge, Gt
 
-from restitution.bounds import Meaning, annotations, checked, interval, requirement
+from restitution.bounds import annotations, checked, interval, requirement
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import psi_of
 from restitution.methods.answer import Damping
+from restitution.quantities import QUANTITIES
 
-Kappa = Annotated[float, Gt(0), Meaning("κ of Eq. 24, with α in it")]
-MuOverAlpha = Annotated[float, Ge(0), Meaning("μ/α")]
-GtOverGn = Annotated[float, Ge(0), Meaning("g_t/g_n")]
+Kappa = Annotated[float, Gt(0), QUANTITIES["kappa"]]
+MuOverAlpha = Annotated[float, Ge(0), QUANTITIES["mu_over_alpha"]]
+GtOverGn = Annotated[float, Ge(0), QUANTITIES["gt_over_gn"]]
 
 CONVENTION = (
     "epsilon_t = g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels "

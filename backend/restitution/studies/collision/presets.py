@@ -19,6 +19,11 @@ class Preset:
         Address of the page, from its question mark on, that shows it.
     caption : str
         For a figure of the paper: what it shows, and what of it is our choice; else empty.
+
+    Examples
+    --------
+    >>> PRESETS[0].link.startswith("?kappa=")
+    True
     """
 
     id: str

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from restitution.bounds import values as members
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
 from restitution.mechanics.collision import WEAKEST
@@ -17,7 +18,8 @@ from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.answer import Options
 from restitution.methods.exact import expected_counts
 from restitution.studies.collision.one import CollisionStudy, followed_motion, study_collision
-from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
+from restitution.studies.tabular import Table, Tabular
 
 COLUMNS = (
     "time",
@@ -39,7 +41,7 @@ MOST_STEPS = 20_000
 
 
 @dataclass(frozen=True)
-class TraceStudy:
+class TraceStudy(Tabular):
     """A collision over time.
 
     Attributes
@@ -54,16 +56,36 @@ class TraceStudy:
         For ``timestep`` what it takes the collision for, at the touch and its own steps, so with a
         length of its own: `method_time`, `method_tangential_force_over_mu`,
         `method_tangential_velocity`. Empty for other methods.
+    time : ndarray, shape (samples + switches,)
+        Instants of the columns, whether or not they are asked for as one.
+
+    Examples
+    --------
+    >>> found = study_trace(CollisionParameters(63.0, 1.4, 1.358), samples=5)
+    >>> found["regime"][-1], found.to_pandas().shape
+    (np.int8(1), (13, 8))
     """
 
     collision: CollisionStudy
     columns: dict[str, FloatArray | npt.NDArray[np.int8]]
     switch_times: FloatArray
     method_columns: dict[str, FloatArray]
+    time: FloatArray
 
     def __getitem__(self, column: str) -> FloatArray | npt.NDArray[np.int8]:
         """Return one of the columns."""
         return self.columns[column]
+
+    def table(self) -> Table:
+        """Return the columns over time, without those of the method's own steps."""
+        columns = {name: values for name, values in self.columns.items() if name != "time"}
+        given = members(self.collision.parameters) | {"epsilon_t": self.collision.epsilon_t}
+        return Table(
+            {"time": self.time},
+            columns,
+            {name: np.array(value) for name, value in given.items()},
+            {"convention": CONVENTION},
+        )
 
 
 def study_trace(
@@ -113,7 +135,8 @@ def study_trace(
     if not wanted.keys() <= values.keys():
         values |= _tangential(parameters, path, time, cap)
     own = _stepped(parameters, options) if collision.method == "timestep" and options else {}
-    return TraceStudy(collision, {name: values[name] for name in wanted}, switch_times, own)
+    shown = {name: values[name] for name in wanted}
+    return TraceStudy(collision, shown, switch_times, own, time)
 
 
 def _too_many(switches: str) -> CostError:

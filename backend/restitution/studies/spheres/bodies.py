@@ -25,7 +25,13 @@ PoissonRatio = Annotated[float, Gt(-1), Le(0.5)]
 
 @checked
 class Moment:
-    """A moment of inertia J in kg m² of one's own."""
+    """A moment of inertia J in kg m² of one's own.
+
+    Examples
+    --------
+    >>> Sphere(0.02, 2.1e11, 0.3, mass_kg=0.2, inertia=Moment(3e-5)).inertia.moment_kg_m2
+    3e-05
+    """
 
     moment_kg_m2: Positive
 
@@ -46,6 +52,16 @@ class Sphere:
         J/(mR²) is 2/5 and 2/3.
     yield_stress_pa : float or None
         Tensile yield stress, if plastic flow is to be looked for.
+
+    Raises
+    ------
+    ParameterError
+        If one of them is out of range, or not one of mass and density is given.
+
+    Examples
+    --------
+    >>> Sphere(radius_m=0.02, youngs_modulus_pa=2.1e11, poisson_ratio=0.3, mass_kg=0.2).inertia
+    'solid'
     """
 
     radius_m: Positive
@@ -72,7 +88,13 @@ class Sphere:
 
 @checked
 class Wall:
-    """A flat body that neither yields way nor turns; attributes as of `Sphere`."""
+    """A flat body that neither yields way nor turns; attributes as of `Sphere`.
+
+    Examples
+    --------
+    >>> Wall(youngs_modulus_pa=7e10, poisson_ratio=0.25).yield_stress_pa is None
+    True
+    """
 
     youngs_modulus_pa: Positive
     poisson_ratio: PoissonRatio

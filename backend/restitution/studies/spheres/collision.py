@@ -30,7 +30,18 @@ class ScalingStudy:
     """A collision of real bodies; attributes are those of ``POST /scaling``.
 
     `psi` is None where it is infinite, `switches` where they were not counted, `after` where the
-    impact was given by the velocity at the point of contact.
+    impact was given by the velocity at the point of contact. Names end in their SI unit; those
+    without one are pure numbers, but β of Eq. 18, which is in m^{-1/2} s^{-2}.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> steel = rs.Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+    >>> found = rs.Contact(steel, steel, 0.4, "mindlin").impact(
+    ...     normal_velocity_m_s=1.0, tangential_velocity_m_s=0.5
+    ... )
+    >>> round(1e6 * found.contact_duration_s), round(found.maximum_normal_force_n)
+    (120, 4022)
     """
 
     kappa: float

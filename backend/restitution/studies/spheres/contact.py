@@ -42,6 +42,18 @@ class Contact:
         k_t, or Mindlin's 8 G* a at the largest undamped compression.
     dissipative_constant_s : float
         A of Eq. 1.
+
+    Raises
+    ------
+    ParameterError
+        If a number is out of range, or both bodies are walls.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> steel, glass = rs.Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850), rs.Wall(7e10, 0.25)
+    >>> round(Contact(steel, glass, 0.4, "mindlin").pair.alpha, 6)
+    0.285714
     """
 
     body_1: Body
@@ -65,7 +77,7 @@ class Contact:
         return pair(self.body_1, self.body_2)
 
     def impact(self, *, tolerance: float = 1e-10, **how: Any) -> "ScalingStudy":
-        """Return what comes out of an impact, as ``POST /scaling``.
+        """Return what comes out of an impact, in SI units and scaled, as ``POST /scaling``.
 
         Parameters
         ----------
@@ -73,6 +85,11 @@ class Contact:
             Largest absolute error wanted in ε_t.
         **how
             Members of `Velocities`, or of `Impact`: then there are velocities and spins after it.
+
+        Returns
+        -------
+        ScalingStudy
+            Scaled parameters, scales, durations and forces, ε_n and ε_t, warnings.
 
         Raises
         ------
@@ -100,21 +117,34 @@ class Contact:
         quantities: Collection[str] = ("epsilon_t", "switches"),
         tolerance: float = 1e-10,
     ) -> "VelocityMap":
-        """Return collisions over both velocities, as ``POST /scaling/map``.
+        """Return collisions over both velocities in m/s, as ``POST /scaling/map``.
 
         Parameters
         ----------
         normal_velocity_m_s, tangential_velocity_m_s : Axis
-            g_n > 0 and g_t ≥ 0 in m/s.
+            g_n > 0, n values, and g_t ≥ 0, k values, in m/s.
         quantities : collection of str, optional
             Of `many.QUANTITIES`.
         tolerance : float, optional
             Largest absolute error wanted in ε_t.
 
+        Returns
+        -------
+        VelocityMap
+            The columns of its `batch` have shape (k n,), the normal velocity fastest.
+
         Raises
         ------
         ParameterError
             If a range is empty or a quantity is beyond double precision.
+
+        Examples
+        --------
+        >>> from restitution.studies.spheres.bodies import Sphere
+        >>> steel = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+        >>> found = Contact(steel, steel, 0.4, "mindlin").map(Axis(1, 20, 6), Axis(0, 10, 5))
+        >>> found.batch.columns["epsilon_t"].shape
+        (30,)
         """
         from restitution.studies.spheres.velocity_map import study_velocity_map  # noqa: PLC0415
 

@@ -20,7 +20,13 @@ AT_REST: Vector = (0.0, 0.0, 0.0)
 
 @checked
 class Velocities:
-    """An impact by the velocity at the point of contact: g_n and g_t in m/s."""
+    """An impact by the velocity at the point of contact: g_n and g_t in m/s.
+
+    Examples
+    --------
+    >>> Velocities(1.0, 0.5).tangential_velocity_m_s
+    0.5
+    """
 
     normal_velocity_m_s: Annotated[float, Gt(0), Words("finite and > 0: the bodies approach")]
     tangential_velocity_m_s: NotNegative
@@ -31,6 +37,11 @@ class Impact:
     """Motion of both bodies before a collision: velocities of the centres, and spins.
 
     `normal` points from body 2 to body 1 (Eq. 1).
+
+    Examples
+    --------
+    >>> Impact((0.5, 0, -1), (0, 0, 0), normal=(0, 0, 1)).spin_1_rad_s
+    (0.0, 0.0, 0.0)
     """
 
     velocity_1_m_s: Vector

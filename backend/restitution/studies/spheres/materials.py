@@ -60,7 +60,13 @@ class Measured:
 
 @dataclass(frozen=True)
 class Material:
-    """Two bodies with a name: keys of ``POST /scaling``, the source, notes on what is not in it."""
+    """Two bodies with a name: keys of ``POST /scaling``, the source, notes on what is not in it.
+
+    Examples
+    --------
+    >>> [each.friction_coefficient for each in MATERIALS if each.id == "steel"]
+    [0.4]
+    """
 
     id: str
     title: str

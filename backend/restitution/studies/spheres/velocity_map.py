@@ -9,6 +9,7 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy, study_batch
+from restitution.studies.collision.parameters import CONVENTION
 from restitution.studies.spheres.contact import (
     SMALLEST,
     Contact,
@@ -16,6 +17,7 @@ from restitution.studies.spheres.contact import (
     scales,
     velocity_ratio,
 )
+from restitution.studies.tabular import Table, Tabular
 
 OF_NORMAL_VELOCITY = (
     "kappa",
@@ -29,7 +31,7 @@ OF_NORMAL_VELOCITY = (
 
 
 @dataclass(frozen=True)
-class VelocityMap:
+class VelocityMap(Tabular):
     """A map over both velocities.
 
     Attributes
@@ -41,6 +43,14 @@ class VelocityMap:
         `OF_NORMAL_VELOCITY`.
     batch : BatchStudy
         Columns of length k n, the normal velocity fastest.
+
+    Examples
+    --------
+    >>> import restitution as rs
+    >>> steel = rs.Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+    >>> found = rs.Contact(steel, steel, 0.4, 1e7).map(Axis(1, 20, 6), Axis(0, 10, 5))
+    >>> found.to_xarray().epsilon_t.shape
+    (5, 6)
     """
 
     normal_velocity_m_s: FloatArray
@@ -48,6 +58,19 @@ class VelocityMap:
     mu_over_alpha: float
     scales: dict[str, FloatArray]
     batch: BatchStudy
+
+    def table(self) -> Table:
+        """Return the quantities over both velocities."""
+        edges = {
+            "tangential_velocity_m_s": self.tangential_velocity_m_s,
+            "normal_velocity_m_s": self.normal_velocity_m_s,
+        }
+        return Table(
+            edges,
+            self.batch.found(tuple(values.size for values in edges.values())),
+            self.scales | {"mu_over_alpha": np.array(self.mu_over_alpha)},
+            {"convention": CONVENTION},
+        )
 
 
 def study_velocity_map(

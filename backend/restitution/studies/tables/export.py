@@ -14,6 +14,7 @@ from restitution.mechanics.viscoelastic import normal_contact
 from restitution.methods.exact import DEARER_BY_DAMPING, cost, expected_counts, follow
 from restitution.studies.collision.axis import Axis
 from restitution.studies.tables.grid import DIGITS, SAMPLED, Nodes, Sign, TableGrid, between
+from restitution.studies.tabular import Table, Tabular
 
 LEAST_SECONDS = 5e-6
 """For an entry and the samples of its cell, without damping."""
@@ -34,7 +35,7 @@ MIDDLES = {"kappa": (0.0, 0.0, 0.5), "psi": (0.0, 0.5, 0.0), "damping": (0.5, 0.
 
 
 @dataclass(frozen=True)
-class RestitutionTable(TableGrid):
+class RestitutionTable(TableGrid, Tabular):
     """A table for linear interpolation along every axis.
 
     Attributes
@@ -49,12 +50,28 @@ class RestitutionTable(TableGrid):
     slides_above : float
         ψ from which on 1 − 2/ψ is exact for every κ of the grid; NaN if the grid ends below, and
         with damping, where every collision sticks at first.
+
+    Examples
+    --------
+    >>> study_table(Axis(3, 6, 5), Axis(0.1, 2, 4), "paper", seconds=1.0).to_xarray().epsilon_t.dims
+    ('psi', 'kappa')
     """
 
     epsilon_t: FloatArray
     sign: Sign
     largest_error: float
     slides_above: float
+
+    def table(self) -> Table:
+        """Return the entries over η, where it is an axis, ψ and κ."""
+        nodes = dict(zip(("damping", "psi", "kappa"), self.nodes().values, strict=True))
+        axes = {name: nodes[name] for name in self.axes}
+        return Table(
+            axes,
+            {"epsilon_t": self.epsilon_t},
+            {name: values[0] for name, values in nodes.items() if name not in axes},
+            {"sign": self.sign, "largest_error": self.largest_error},
+        )
 
 
 def study_table(

@@ -1,0 +1,70 @@
+"""What a column of a result is: in words, as a symbol, and in which unit. Said once, by its name.
+
+Annotations of members take it from here as their `Meaning`, frames and data sets as attributes
+(`studies.tabular`). Scaled quantities name what they are scaled by, see docs/model.md; "1" is the
+unit of a pure number, and of a word or a truth there is none.
+"""
+
+from dataclasses import dataclass
+
+from restitution.bounds import Meaning
+
+
+@dataclass(frozen=True)
+class Quantity(Meaning):
+    """A quantity: `text` says what it is."""
+
+    symbol: str = ""
+    unit: str = "1"
+
+
+FORCE = "m_eff ξ_scale/t_scale²"
+
+QUANTITIES = {
+    # what a collision is told by
+    "kappa": Quantity("κ of Eq. 24, with α in it", "κ"),
+    "mu_over_alpha": Quantity("μ/α", "μ/α"),
+    "gt_over_gn": Quantity("g_t/g_n", "g_t/g_n"),
+    "psi": Quantity("(α/μ)(g_t/g_n)", "ψ"),
+    "damping": Quantity("η = (3/2) A β^{2/5} g_n^{1/5}", "η"),
+    # what comes out
+    "epsilon_t": Quantity("coefficient of tangential restitution", "ε_t"),
+    "epsilon_n": Quantity("coefficient of normal restitution", "ε_n"),
+    "switches": Quantity("changes between sliding and sticking"),
+    "coulomb": Quantity("ε_t of a contact that slides throughout, Eq. 16, but at least 0", "ε_t"),
+    "stiff_bound": Quantity("bound on |ε_t| of a stiff spring, ψ < 2", "|ε_t|"),
+    "stiff_asymptote": Quantity("amplitude of ε_t of a stiff spring, ψ < 2", "|ε_t|"),
+    "largest_switches": Quantity("most switches that any g_t/g_n has at this κ"),
+    "error": Quantity("ε_t of the method that answered − the exact one", "ε_t − ε_t,exact"),
+    "method": Quantity("the one that answered", unit=""),
+    "error_bound": Quantity("bound on the absolute error of ε_t"),
+    "tolerance_met": Quantity("whether error_bound is within the tolerance", unit=""),
+    # over time
+    "time": Quantity("time since the touch", "t", "t_scale"),
+    "compression": Quantity("compression", "x", "ξ_scale"),
+    "compression_rate": Quantity("rate of compression", "ẋ", "g_n"),
+    "normal_force": Quantity("normal force", "F_n", FORCE),
+    "tangential_force_over_mu": Quantity(
+        "tangential force over μ, negative while it brakes", "F_t/μ", FORCE
+    ),
+    "tangential_velocity": Quantity("tangential velocity at the point of contact", "g_t", "g_n"),
+    "spring_elongation": Quantity("elongation of the tangential spring", "z", "ξ_scale"),
+    "regime": Quantity("0 while it sticks, the sign of z while it slides"),
+    "tangential_energy": Quantity("u²/2 + κz²/2 with u = g_t/g_n", unit="α m_eff g_n²"),
+    # of real bodies
+    "normal_velocity_m_s": Quantity("normal velocity at the point of contact", "g_n", "m/s"),
+    "tangential_velocity_m_s": Quantity(
+        "tangential velocity at the point of contact", "g_t", "m/s"
+    ),
+    "time_scale_s": Quantity("unit of time of the scaled collision, Eq. 21", "t_scale", "s"),
+    "length_scale_m": Quantity("unit of length of the scaled collision, Eq. 21", "ξ_scale", "m"),
+    "contact_duration_s": Quantity("duration of the contact", "t_c", "s"),
+    "maximum_compression_m": Quantity("largest compression", "ξ_max", "m"),
+    # of methods on many collisions
+    "integrator": Quantity("how time steps are taken", unit=""),
+    "steps": Quantity("time steps per contact", "N"),
+    "error_median": Quantity("median of |ε_t − exact|"),
+    "error_p95": Quantity("95th percentile of |ε_t − exact|"),
+    "error_max": Quantity("largest |ε_t − exact|"),
+    "collision": Quantity("place among the collisions, from 0"),
+}
