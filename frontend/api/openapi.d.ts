@@ -672,14 +672,6 @@ export interface components {
             id: string;
             /** Title */
             title: string;
-            /** Body 1 */
-            body_1: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
-            /** Body 2 */
-            body_2: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
-            /** Friction Coefficient */
-            friction_coefficient: number;
-            /** Tangential Stiffness N Per M */
-            tangential_stiffness_n_per_m: number | "mindlin";
             impact: components["schemas"]["Velocities"];
             /** Source */
             source: string;
@@ -688,9 +680,20 @@ export interface components {
              * @description what is not in the source
              */
             notes: string;
+            measured?: components["schemas"]["Measured"];
+            /** Body 1 */
+            body_1: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
+            /** Body 2 */
+            body_2: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
+            /** Friction Coefficient */
+            friction_coefficient: number;
+            /**
+             * Tangential Stiffness N Per M
+             * @description mindlin: 8G*a at the largest undamped compression
+             */
+            tangential_stiffness_n_per_m: number | "mindlin";
             /** Dissipative Constant S */
             dissipative_constant_s: number;
-            measured?: components["schemas"]["Measured"];
         };
         /**
          * Materials
@@ -2286,16 +2289,16 @@ export interface operations {
                  * @example {
                  *       "body_1": {
                  *         "radius_m": 0.02,
-                 *         "density_kg_m3": 7850,
                  *         "youngs_modulus_pa": 210000000000,
                  *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
                  *         "inertia": "solid"
                  *       },
                  *       "body_2": {
                  *         "radius_m": 0.02,
-                 *         "density_kg_m3": 7850,
                  *         "youngs_modulus_pa": 210000000000,
                  *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
                  *         "inertia": "solid"
                  *       },
                  *       "friction_coefficient": 0.4,
@@ -2349,16 +2352,16 @@ export interface operations {
                  * @example {
                  *       "body_1": {
                  *         "radius_m": 0.02,
-                 *         "density_kg_m3": 7850,
                  *         "youngs_modulus_pa": 210000000000,
                  *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
                  *         "inertia": "solid"
                  *       },
                  *       "body_2": {
                  *         "radius_m": 0.02,
-                 *         "density_kg_m3": 7850,
                  *         "youngs_modulus_pa": 210000000000,
                  *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
                  *         "inertia": "solid"
                  *       },
                  *       "friction_coefficient": 0.4,

@@ -32,7 +32,7 @@ def scaled() -> None:
     assert data.epsilon_t.attrs["symbol"] == "ε_t"
     way: rs.Options = rs.Options(method="ode", rtol=1e-6)
     assert way.method == "ode"
-    preset: rs.Preset = rs.PRESETS[0]
+    preset: rs.Preset = rs.PRESETS["figure-4"]
     assert preset.kappa > 0
 
 
@@ -50,8 +50,8 @@ def real() -> None:
         rs.Impact((0.5, 0, -1), (0, 0, 0), normal=(0, 0, 1)),
     )
     assert told[1].spin_1_rad_s == (0, 0, 0)
-    material: rs.Material = rs.MATERIALS[0]
-    assert material.friction_coefficient > 0
+    material: rs.Material = rs.MATERIALS["steel"]
+    assert material.contact.friction_coefficient > 0
 
 
 def reports() -> None:

@@ -5,9 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from restitution.studies.spheres.bodies import Sphere, Wall
 from restitution.studies.spheres.collision import study_scaling
-from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import Velocities
 from restitution.studies.spheres.materials import MATERIALS
 
@@ -15,15 +13,11 @@ DOCUMENT = (Path(__file__).parents[2] / "docs" / "real-spheres.md").read_text()
 
 
 def test_kharaz2001_oblique_impacts_beside_the_model():
-    (material,) = (m for m in MATERIALS if m.measured)
-    wall = {name: part for name, part in material.body_2.items() if name != "wall"}
-    contact = Contact(
-        Sphere(**material.body_1), Wall(**wall), material.friction_coefficient, "mindlin"
-    )
+    (material,) = (m for m in MATERIALS.values() if m.measured)
     listed = re.findall(r"^\| ([\d.]+)° \|(.*)\|$", DOCUMENT, re.MULTILINE)
     for (angle, cells), point in zip(listed, material.measured.points, strict=True):
         study = study_scaling(
-            contact, Velocities(point.normal_velocity_m_s, point.tangential_velocity_m_s)
+            material.contact, Velocities(point.normal_velocity_m_s, point.tangential_velocity_m_s)
         )
         psi, measured, computed = (float(c.replace("−", "-")) for c in cells.split("|"))
         # the digits of the document

@@ -133,7 +133,7 @@ def test_summary_says_what_happens(parameters, sentence):
 def test_presets_show_what_their_names_promise():
     studies = {
         p.id: study_collision(CollisionParameters(p.kappa, p.mu_over_alpha, p.gt_over_gn))
-        for p in PRESETS
+        for p in PRESETS.values()
     }
     letters = [studies[f"figure-5-{letter}"].switches for letter in "abcdefghijklmno"]
     assert letters == [0, 2, 4, 6, 8, 6, 8, 6, 4, 6, 4, 2, 4, 2, 2]
@@ -149,10 +149,10 @@ def test_readme_example_takes_two_lines():
 
 
 def test_figures_are_presets_with_a_caption_and_an_address():
-    figures = [preset for preset in PRESETS if preset.id.startswith("figure-")]
+    figures = [preset for preset in PRESETS.values() if preset.id.startswith("figure-")]
     assert {preset.id[:8] for preset in figures} == {f"figure-{i}" for i in range(1, 7)}
     assert all(preset.caption for preset in figures)
-    for preset in PRESETS:
+    for preset in PRESETS.values():
         options = dict(urllib.parse.parse_qsl(preset.link.removeprefix("?"), strict_parsing=True))
         for name in ("kappa", "mu_over_alpha", "gt_over_gn"):
             assert float(options[name]) == getattr(preset, name), preset.id
@@ -160,10 +160,9 @@ def test_figures_are_presets_with_a_caption_and_an_address():
 
 def test_presets_of_steel_are_its_collisions():
     steel = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
-    by_id = {preset.id: preset for preset in PRESETS}
     for name, speed, sideways in (("figure-1", 100, 100), ("figure-2", 100, 5), ("steel", 1, 0.5)):
         study = study_scaling(Contact(steel, steel, 0.4, 1e12), Velocities(speed, sideways))
-        preset = by_id[name]
+        preset = PRESETS[name]
         assert preset.kappa == pytest.approx(study.kappa, rel=2e-5)  # rounded for the eye
         assert preset.mu_over_alpha == pytest.approx(study.mu_over_alpha)
         assert preset.gt_over_gn == study.gt_over_gn

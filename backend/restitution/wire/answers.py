@@ -4,36 +4,35 @@ Answers are bytes made from arrays (`formats`); tests hold them against these de
 that an answer may lack is `NotRequired`, a number that may not exist is null.
 """
 
+import itertools
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, NotRequired
+from typing import Annotated, Any, Literal, NotRequired, get_type_hints
 
 from pydantic import Field
 from typing_extensions import TypeAliasType, TypedDict
 
+from restitution.bounds import annotations
 from restitution.methods.answer import (
     AnsweringMethod,
-    EpsilonT,
-    ErrorBound,
     Integrator,
     Method,
-    ToleranceMet,
 )
 from restitution.paper import Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
 from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
-from restitution.studies.collision.one import Energy, Episode, Estimates, Sensitivity
+from restitution.studies.collision.one import CollisionStudy
+from restitution.studies.collision.parameters import Convention
 from restitution.studies.collision.presets import Preset
-from restitution.studies.spheres.bodies import Body, NotNegative, Positive
+from restitution.studies.spheres import materials
 from restitution.studies.spheres.collision import ScalingStudy
-from restitution.studies.spheres.impact import Velocities
-from restitution.studies.spheres.materials import Measured
+from restitution.studies.spheres.contact import Contact
 
 MixedMethod = TypeAliasType(
     "MixedMethod",
     Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"],
 )
-Convention = Annotated[str, Field(description="sign and point of reference of every number")]
 
 
 class TypedArray(TypedDict):
@@ -70,36 +69,15 @@ class Parameters(TypedDict):
     samples: NotRequired[int]
 
 
-class Collision(TypedDict):
+@dataclass(frozen=True)
+class Collision(CollisionStudy):
     """One collision; null where the method that answered cannot give a quantity."""
 
-    parameters: Parameters
-    epsilon_t: EpsilonT
-    epsilon_n: Annotated[float, Field(description="coefficient of normal restitution")]
-    switches: Annotated[int | None, Field(description="changes between sliding and sticking")]
-    switches_certain: Annotated[
-        bool | None, Field(description="false where double precision cannot tell")
-    ]
-    reversals: Annotated[int | None, Field(description="sign changes of g_t(t) within the contact")]
-    contact_duration: Annotated[float, Field(description="t_c in units of t_scale")]
-    episodes: list[Episode] | None
-    episodes_truncated: bool
-    energy: Energy | None
-    estimates: Estimates | None
-    sensitivity: Sensitivity | None
-    summary: Annotated[str | None, Field(description="the collision in a sentence")]
-    limit: Annotated[bool, Field(description="whether this is the limit ψ → 0, as g_t = 0")]
-    method: Annotated[AnsweringMethod, Field(description="the one that answered")]
-    error_bound: ErrorBound
-    tolerance_met: ToleranceMet
-    convention: Convention
+    parameters: Parameters  # type: ignore[assignment] # with the options of the request
 
 
-class Trace(Collision):
-    """A collision over time: `samples` + `switches` instants, in the columns asked for.
-
-    Scaled units. `method_…` only with `method=timestep`: its own course, at its own instants.
-    """
+class Columns(TypedDict):
+    """What a trace has besides: the columns asked for and the instants of its switches."""
 
     time: NotRequired[Numbers]
     compression: NotRequired[Numbers]
@@ -114,6 +92,26 @@ class Trace(Collision):
     method_time: NotRequired[Numbers]
     method_tangential_force_over_mu: NotRequired[SomeNumbers]
     method_tangential_velocity: NotRequired[SomeNumbers]
+
+
+def _described(name: str, text: str, *members: Mapping[str, Any]) -> Any:
+    """Return the description of an answer whose members are those of several classes."""
+    joined = dict(itertools.chain(*(each.items() for each in members)))
+    # no class statement joins members of dataclasses and dictionaries
+    described = TypedDict(name, joined)  # type: ignore[misc]
+    described.__doc__ = text
+    return described
+
+
+Trace = _described(
+    "Trace",
+    """A collision over time: `samples` + `switches` instants, in the columns asked for.
+
+    Scaled units. `method_…` only with `method=timestep`: its own course, at its own instants.
+    """,
+    annotations(Collision),
+    get_type_hints(Columns, include_extras=True),
+)
 
 
 class ManyCollisions(TypedDict):
@@ -216,26 +214,19 @@ class Paper(TypedDict):
     items: list[Item]
 
 
-class Material(TypedDict):
-    """A body of ``/scaling`` with a name; `measured` where impacts were."""
-
-    id: str
-    title: str
-    body_1: Body
-    body_2: Body
-    friction_coefficient: NotNegative
-    tangential_stiffness_n_per_m: Positive | Literal["mindlin"]
-    impact: Velocities
-    source: str
-    notes: Annotated[str, Field(description="what is not in the source")]
-    dissipative_constant_s: float
-    measured: NotRequired[Measured]
+Material = _described(
+    "Material",
+    "A body of ``/scaling`` with a name; `measured` where impacts were.",
+    {name: kind for name, kind in annotations(materials.Material).items() if name != "contact"},
+    annotations(Contact),
+    {"measured": NotRequired[materials.Measured]},
+)
 
 
 class Materials(TypedDict):
     """Real bodies worth a look."""
 
-    items: list[Material]
+    items: list[Material]  # type: ignore[valid-type]
 
 
 class Tradeoff(TypedDict):

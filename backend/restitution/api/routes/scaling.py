@@ -1,13 +1,15 @@
 """Real bodies: one impact in SI units, materials worth a look."""
 
-from dataclasses import asdict
+from dataclasses import is_dataclass
 from typing import Any
 
 import numpy as np
 
 from restitution.api.calls import Calls
+from restitution.bounds import values
 from restitution.studies.collision.parameters import CONVENTION
 from restitution.studies.spheres.collision import study_scaling
+from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.materials import MATERIALS, Material
 from restitution.studies.spheres.velocity_map import study_velocity_map
 from restitution.wire import answers
@@ -20,16 +22,32 @@ from restitution.wire.results import batch_payload, scaling_result
 calls = Calls("real spheres")
 
 
+def _as_body(contact: Contact) -> dict[str, Any]:
+    """Return a contact as a body of `/scaling` says it, without what its bodies do not have."""
+    return {
+        name: _there(vars(value)) if is_dataclass(value) else value
+        for name, value in values(contact).items()
+    }
+
+
+def _there(members: dict[str, Any]) -> dict[str, Any]:
+    return {
+        name: value for name, value in members.items() if value is not None and value is not False
+    }
+
+
 def _item(material: Material) -> Payload:
-    """Return a material without what it does not have."""
-    return {name: value for name, value in asdict(material).items() if value is not None}
+    """Return a material with the members of its contact among its own."""
+    return _there(
+        {"id": material.id, "title": material.title}
+        | _as_body(material.contact)
+        | {name: vars(material)[name] for name in ("impact", "source", "notes", "measured")}
+    )
 
 
-STEEL = _item(MATERIALS[0])
-CONTACT: dict[str, Any] = {
-    name: STEEL[name]
-    for name in ("body_1", "body_2", "friction_coefficient", "tangential_stiffness_n_per_m")
-}
+STEEL = MATERIALS["steel"]
+CONTACT = _as_body(STEEL.contact)
+del CONTACT["dissipative_constant_s"]
 VELOCITIES = {
     "normal_velocity_m_s": {"min": 1, "max": 200, "count": 20, "scale": "linear"},
     "tangential_velocity_m_s": {"min": 0, "max": 200, "count": 15, "scale": "linear"},
@@ -41,7 +59,7 @@ VELOCITIES = {
     ScalingBody,
     answers.Scaling,
     "A collision of real bodies",
-    example=CONTACT | {"impact": STEEL["impact"]},
+    example=CONTACT | {"impact": vars(STEEL.impact)},
 )
 def scaling(body: ScalingBody) -> Result:
     """Return what comes out of a collision of real bodies, in SI units and scaled."""
@@ -81,4 +99,4 @@ def velocity_map(body: VelocityMapBody) -> Result:
 @calls.stored("/materials", NoQuery, answers.Materials, "Real bodies")
 def materials(_: NoQuery) -> Result:
     """Return real bodies worth a look, each a valid body of ``/scaling``."""
-    return Result({"items": [*map(_item, MATERIALS)]}, dict)
+    return Result({"items": [*map(_item, MATERIALS.values())]}, dict)

@@ -19,7 +19,7 @@ health = APIRouter(tags=["service"])
 @calls.stored("/presets", NoQuery, answers.Presets, "Collisions worth a look")
 def presets(_: NoQuery) -> Result:
     """Return collisions worth a look."""
-    return Result({"items": list(PRESETS)}, dict)
+    return Result({"items": [*PRESETS.values()]}, dict)
 
 
 @health.get(

@@ -9,15 +9,23 @@ from typing import Annotated, NamedTuple, cast
 
 import numpy as np
 
-from restitution.bounds import OrNothing
+from restitution.bounds import Meaning, OrNothing
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
 from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
 from restitution.methods import planner
-from restitution.methods.answer import Answer, AnsweringMethod, Options
-from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
+from restitution.methods.answer import (
+    Answer,
+    AnsweringMethod,
+    EpsilonT,
+    ErrorBound,
+    Options,
+    ToleranceMet,
+)
+from restitution.quantities import QUANTITIES as QUANTITY
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.collision.summary import summarise
 
 QUANTITIES = (
@@ -115,23 +123,23 @@ class CollisionStudy:
     """
 
     parameters: CollisionParameters
-    epsilon_t: float
-    epsilon_n: float
-    switches: int | None
-    switches_certain: bool | None
-    reversals: int | None
-    contact_duration: float
+    epsilon_t: EpsilonT
+    epsilon_n: Annotated[float, QUANTITY["epsilon_n"]]
+    switches: Annotated[int | None, QUANTITY["switches"]]
+    switches_certain: Annotated[bool | None, Meaning("false where double precision cannot tell")]
+    reversals: Annotated[int | None, Meaning("sign changes of g_t(t) within the contact")]
+    contact_duration: Annotated[float, Meaning("t_c in units of t_scale")]
     episodes: list[Episode] | None
     episodes_truncated: bool
     energy: Energy | None
     estimates: Estimates | None
     sensitivity: Sensitivity | None
-    summary: str | None
-    limit: bool
-    method: AnsweringMethod
-    error_bound: float
-    tolerance_met: bool
-    convention: str
+    summary: Annotated[str | None, Meaning("the collision in a sentence")]
+    limit: Annotated[bool, Meaning("whether this is the limit ψ → 0, as g_t = 0")]
+    method: Annotated[AnsweringMethod, Meaning("the one that answered")]
+    error_bound: ErrorBound
+    tolerance_met: ToleranceMet
+    convention: Convention
 
 
 @functools.lru_cache(maxsize=8)

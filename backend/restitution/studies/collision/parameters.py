@@ -5,7 +5,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Gt
 
-from restitution.bounds import annotations, checked, interval, requirement
+from restitution.bounds import Meaning, annotations, checked, interval, requirement
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import psi_of
@@ -20,6 +20,8 @@ CONVENTION = (
     "epsilon_t = g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels "
     "(some authors use the opposite sign); kappa is that of Eq. 24, divided by alpha"
 )
+
+Convention = Annotated[str, Meaning("sign and point of reference of every number")]
 
 
 @checked

@@ -3,6 +3,7 @@
 import urllib.parse
 from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 PAPER = "Schwager, Becker & Pöschel, Eur. Phys. J. E 27, 107 (2008), doi:10.1140/epje/i2007-10356-3"
 SOLID = 2.0 / 7.0
@@ -22,7 +23,7 @@ class Preset:
 
     Examples
     --------
-    >>> PRESETS[0].link.startswith("?kappa=")
+    >>> PRESETS["figure-2"].link.startswith("?kappa=")
     True
     """
 
@@ -84,7 +85,7 @@ _LETTER_CAPTION = (
     "= 18 is read as ακ; the paper does not give its g_t/g_n, ours has ψ = "
 )
 
-PRESETS = (
+_ALL = (
     _preset(
         "figure-1",
         "Fig. 1 · Coulomb's law",
@@ -178,3 +179,6 @@ PRESETS = (
         "30° from the normal; κ from Mindlin's stiffness with E = 380 and 70 GPa, ν = 0.23, 0.25",
     ),
 )
+
+PRESETS: Mapping[str, Preset] = MappingProxyType({each.id: each for each in _ALL})
+"""By name."""

@@ -13,7 +13,7 @@ from restitution.methods.answer import (
     ToleranceMet,
 )
 from restitution.studies.collision.one import study_collision
-from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
+from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
 from restitution.studies.spheres.impact import (
     After,
@@ -70,7 +70,7 @@ class ScalingStudy:
     method: AnsweringMethod
     error_bound: ErrorBound
     tolerance_met: ToleranceMet
-    convention: Annotated[str, Meaning("sign and point of reference of every number")]
+    convention: Convention
 
 
 def study_scaling(

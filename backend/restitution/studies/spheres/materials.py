@@ -1,10 +1,16 @@
-"""Real bodies worth a look, each a valid body of ``POST /scaling``, and what was measured."""
+"""Contacts of real bodies worth a look, and what was measured of them."""
 
 import math
-from dataclasses import dataclass, field
-from typing import Any
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Annotated
 
+from restitution.bounds import Meaning
 from restitution.studies.collision.presets import PAPER, SOLID
+from restitution.studies.spheres.bodies import Sphere, Wall
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import Velocities
 
 KHARAZ = (
     "A. H. Kharaz, D. A. Gorham, A. D. Salman, Powder Technol. 120, 281 (2001), "
@@ -60,25 +66,29 @@ class Measured:
 
 @dataclass(frozen=True)
 class Material:
-    """Two bodies with a name: keys of ``POST /scaling``, the source, notes on what is not in it.
+    """A contact of two bodies with a name, an impact to begin with, and what was measured of it.
+
+    Attributes
+    ----------
+    source, notes : str
+        Where the numbers are from, and what is not from there.
+    measured : Measured or None
 
     Examples
     --------
-    >>> [each.friction_coefficient for each in MATERIALS if each.id == "steel"]
-    [0.4]
+    >>> steel = MATERIALS["steel"]
+    >>> found = steel.contact.impact(normal_velocity_m_s=20.0, tangential_velocity_m_s=5.0)
+    >>> round(found.mu_over_alpha, 6)
+    1.4
     """
 
     id: str
     title: str
-    body_1: dict[str, Any]
-    body_2: dict[str, Any]
-    friction_coefficient: float
-    tangential_stiffness_n_per_m: float | str
-    impact: dict[str, Any]
+    contact: Contact
+    impact: Velocities
     source: str
-    notes: str
-    dissipative_constant_s: float = 0.0
-    measured: Measured | None = field(default=None)
+    notes: Annotated[str, Meaning("what is not in the source")]
+    measured: Measured | None = None
 
 
 def surface_restitution(centre_ratio: float, alpha: float) -> float:
@@ -101,43 +111,18 @@ def _kharaz_point(angle_deg: float, centre_ratio: float) -> MeasuredImpact:
     )
 
 
-def _impact(normal: float, tangential: float) -> dict[str, float]:
-    return {"normal_velocity_m_s": normal, "tangential_velocity_m_s": tangential}
-
-
-_STEEL = {
-    "radius_m": 0.02,
-    "density_kg_m3": 7850.0,
-    "youngs_modulus_pa": 2.1e11,
-    "poisson_ratio": 0.3,
-    "inertia": "solid",
-}
-_GLASS = {
-    "radius_m": 0.0015,
-    "density_kg_m3": 2500.0,
-    "youngs_modulus_pa": 7e10,
-    "poisson_ratio": 0.22,
-    "inertia": "solid",
-}
-_ACETATE = {
-    "radius_m": 0.003,
-    "density_kg_m3": 1300.0,
-    "youngs_modulus_pa": 3e9,
-    "poisson_ratio": 0.3,
-    "inertia": "solid",
-}
+_STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
+_GLASS = Sphere(0.0015, 7e10, 0.22, density_kg_m3=2500.0)
+_ACETATE = Sphere(0.003, 3e9, 0.3, density_kg_m3=1300.0)
 
 _KHARAZ_POINTS = tuple(_kharaz_point(*point) for point in KHARAZ_CENTRE_RATIOS)
 
-MATERIALS = (
+_ALL = (
     Material(
         "steel",
         "Steel spheres of Fig. 2",
-        _STEEL,
-        _STEEL,
-        0.4,
-        1e12,
-        _impact(20.0, 5.0),
+        Contact(_STEEL, _STEEL, 0.4, 1e12),
+        Velocities(20.0, 5.0),
         f"{PAPER}: caption of Fig. 2",
         "the impact is ours, within the range of the figure; k_t is that of the caption, 2,500 to "
         "8,000 times Mindlin's at 20 to 1 m/s",
@@ -145,28 +130,21 @@ MATERIALS = (
     Material(
         "steel-mindlin",
         "The same steel, Mindlin's stiffness",
-        _STEEL,
-        _STEEL,
-        0.4,
-        "mindlin",
-        _impact(1.0, 0.5),
+        Contact(_STEEL, _STEEL, 0.4, "mindlin"),
+        Velocities(1.0, 0.5),
         f"{PAPER}: caption of Fig. 2; R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)",
         "the stiffness is not the paper's, and the impact is ours: at its 20 m/s steel flows",
     ),
     Material(
         "alumina-on-glass",
         "Alumina on glass",
-        {
-            "radius_m": 0.0025,
-            "density_kg_m3": 4000.0,
-            "youngs_modulus_pa": 3.8e11,
-            "poisson_ratio": 0.23,
-            "inertia": "solid",
-        },
-        {"wall": True, "youngs_modulus_pa": 7e10, "poisson_ratio": 0.25},
-        0.092,
-        "mindlin",
-        _impact(3.37, 1.96),
+        Contact(
+            Sphere(0.0025, 3.8e11, 0.23, density_kg_m3=4000.0),
+            Wall(7e10, 0.25),
+            0.092,
+            "mindlin",
+        ),
+        Velocities(3.37, 1.96),
         KHARAZ,
         "the impact is that at 30.1° from the normal, rounded; friction, density and the elastic "
         "constants of alumina are those of Chung & Ooi's benchmark (2011) as YADE's examples have "
@@ -177,11 +155,8 @@ MATERIALS = (
     Material(
         "glass-on-glass",
         "Glass on glass, 3 mm",
-        _GLASS,
-        _GLASS,
-        0.092,
-        "mindlin",
-        _impact(1.0, 0.3),
+        Contact(_GLASS, _GLASS, 0.092, "mindlin"),
+        Velocities(1.0, 0.3),
         FOERSTER,
         "only the friction is from this source, as others quote it; density and elastic constants "
         "are handbook values, the diameter is rounded (3.18 mm in the tables of that laboratory); "
@@ -191,14 +166,14 @@ MATERIALS = (
     Material(
         "acetate-on-acetate",
         "Cellulose acetate, 6 mm",
-        _ACETATE,
-        _ACETATE,
-        0.25,
-        "mindlin",
-        _impact(1.0, 0.6),
+        Contact(_ACETATE, _ACETATE, 0.25, "mindlin"),
+        Velocities(1.0, 0.6),
         FOERSTER,
         "only the friction is from this source, as others quote it; density and elastic constants "
         "are rounded typical values, the diameter is rounded (5.99 mm in the tables of that "
         "laboratory); its normal restitution of 0.87 is not modelled here",
     ),
 )
+
+MATERIALS: Mapping[str, Material] = MappingProxyType({each.id: each for each in _ALL})
+"""By name."""
