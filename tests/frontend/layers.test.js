@@ -48,7 +48,13 @@ test("imports follow the arrows: from a scene down to the formats, never to anot
   }
 });
 
-test("no room holds more than a newcomer takes in at a glance", () => {
+test("no module, no style sheet and no room is more than one takes in", () => {
+  for (const file of readdirSync(ROOT, { recursive: true })) {
+    if (/\.(js|css|html)$/.test(file)) {
+      const lines = readFileSync(new URL(file, ROOT), "utf8").split("\n").length;
+      assert.ok(lines <= 400, `${file} has ${lines} lines`);
+    }
+  }
   const all = readdirSync(ROOT, { recursive: true, withFileTypes: true });
   const counts = Map.groupBy(all, ({ parentPath }) => parentPath);
   for (const [room, entries] of counts) {
@@ -59,7 +65,10 @@ test("no room holds more than a newcomer takes in at a glance", () => {
 test("only the client fetches, and only widgets, pictures, the page and the scenes draw", () => {
   for (const [file, source] of Object.entries(sources)) {
     const code = source.replaceAll(/\/\*[\s\S]*?\*\//g, "");
-    assert.ok(file === "api/client.js" || !/\bfetch\(/.test(code), `${file} fetches`);
+    assert.ok(
+      file === "api/client.js" || !/\bfetch\(|XMLHttpRequest|sendBeacon/.test(code),
+      `${file} fetches`,
+    );
     const mayDraw = /^(widgets|pictures|page|scenes)\//.test(file) && !/-figure\.js$/.test(file);
     assert.ok(mayDraw || !/\bPlotly\b|\bdocument\b/.test(code), `${file} draws`);
   }
@@ -71,8 +80,12 @@ test("the page holds no inline script and no inline style", () => {
 
 test("nothing is loaded from another host", () => {
   assert.doesNotMatch(markup, /(?:src|href)="(?!\/|#)/);
-  for (const [file, source] of Object.entries(sources)) {
-    assert.doesNotMatch(source, /https?:\/\//, file);
+  for (const file of readdirSync(ROOT, { recursive: true })) {
+    if (/\.(js|css|html)$/.test(file)) {
+      const source = readFileSync(new URL(file, ROOT), "utf8");
+      assert.doesNotMatch(source, /https?:\/\//, file);
+      assert.doesNotMatch(source, /^(?:import|\} from|export [*{])[^;"\n]*"(?!\.)/m, file);
+    }
   }
 });
 
