@@ -22,7 +22,7 @@ WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" &&
 WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test check format bench times load tradeoff verify screenshots pictures types fonts lock clean
+.PHONY: help serve test coverage check format bench times load tradeoff verify screenshots pictures types fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -38,6 +38,15 @@ test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browse
 	$(WITH_CHROMIUM) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
+
+coverage: $(DEVELOPMENT) $(MODULES) ## branches that the tests run through, of Python and JavaScript, as figures
+	@rm -f build/coverage/.coverage*
+	@mkdir -p build/coverage
+	-@$(WITH_NGINX) $(BIN)/coverage run -m pytest -q $(SHARED_OUT) -m "not browser and not verify"
+	@# Compiled kernels cannot be looked into. Uncompiled, each of their tests gets two seconds, whether it ends or not.
+	-@NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q --tb=no --no-summary --timeout=2 tests/mechanics
+	@$(BIN)/coverage combine --quiet && $(BIN)/coverage report
+	@$(NPM) run --silent coverage
 
 check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff format --check

@@ -4,7 +4,6 @@ Each part is a process of its own and none keeps the next from running. Figures 
 prints.
 """
 
-import shutil
 import subprocess
 import sys
 import time
@@ -14,7 +13,9 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[1]
 FOLDER = ROOT / "build" / "verify"
-ENGINES = ("docker", "podman")
+
+OUTCOMES = {0: "passed", 2: "skipped"}
+"""Of deploy/verify; the last where there is no engine."""
 
 # Playwright leaves an event loop running, in which no other can begin.
 MARKS = {"without a browser": "verify and not browser", "in a browser": "verify and browser"}
@@ -70,11 +71,9 @@ def row_of(case: ET.Element) -> Row:
 
 def image() -> Row:
     """Build and verify the image where there is an engine for it."""
-    if not any(map(shutil.which, ENGINES)):
-        return Row("deploy/verify", 0.0, "skipped", [f"no {' or '.join(ENGINES)} here"])
     begin = time.monotonic()
     done = subprocess.run([sys.executable, ROOT / "deploy" / "verify"], cwd=ROOT, check=False)
-    outcome = "failed" if done.returncode else "passed"
+    outcome = OUTCOMES.get(done.returncode, "failed")
     return Row("deploy/verify", time.monotonic() - begin, outcome, ["its own table stands above"])
 
 

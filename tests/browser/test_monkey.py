@@ -115,7 +115,8 @@ class Monkey:
         if fields:
             field = fields[self.rng.integers(len(fields))]
             field.evaluate("field => { field.focus(); field.select(); }")
-        self.page.keyboard.insert_text(nonsense)
+        # one time in some thousand Chromium never answers its own command for this
+        self.page.evaluate("text => document.execCommand('insertText', false, text)", nonsense)
         if self.rng.random() < 0.5:
             self.page.keyboard.press("Enter")
         return f"{nonsense[:40]!r}"
