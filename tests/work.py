@@ -12,12 +12,10 @@ import pytest
 from restitution.api.admission import Admission
 from restitution.mechanics import (
     collision,
-    damped,
-    damped_curves,
+    contact,
     limits,
     motion,
     stepping,
-    viscoelastic,
 )
 from restitution.methods import exact, ode, planner, table, timestep
 
@@ -57,27 +55,21 @@ class Work(Counter[str]):
         assert self["evaluations"] <= MOST_EVALUATIONS, self
 
 
-def _switches(counts: Any) -> int:
+def _switches(of: contact.Contact, counts: Any) -> int:
     """Return those of collisions, of which each is looked at."""
-    return int(np.maximum(counts, 0).sum()) + np.size(counts)
-
-
-def _dearer(counts: Any) -> int:
-    return int(exact.DEARER_BY_DAMPING) * _switches(counts)
+    dearer = 1 if of is contact.ELASTIC else int(exact.DEARER_BY_DAMPING)
+    return dearer * (int(np.maximum(counts, 0).sum()) + np.size(counts))
 
 
 KERNELS: list[tuple[Any, str, str, Callable[[tuple[Any, ...], Any], int]]] = [
-    (collision, "_collide_each", "switches", lambda given, _: _switches(given[4])),
-    (damped, "_collide_each", "switches", lambda given, _: _dearer(given[5])),
-    (motion, "follow", "switches", lambda _, found: _switches(found[1])),
-    (damped_curves, "follow_damped", "switches", lambda _, found: _dearer(found[1])),
-    (motion, "_tangential_curves", "points", lambda given, _: given[4].size),
-    (damped_curves, "_tangential_curves", "points", lambda given, _: given[6].size),
+    (collision, "_collide_each", "switches", lambda given, _: _switches(given[0], given[5])),
+    (motion, "_follow", "switches", lambda given, found: _switches(given[0], found[1])),
+    (motion, "_tangential_curves", "points", lambda given, _: given[5].size),
     (stepping, "_step_each", "steps", lambda given, _: given[0].size * given[4]),
     (stepping, "_record", "steps", lambda _, found: found),
     (table, "look_up", "reads", lambda given, _: given[0].size),
     (limits, "_broadcast", "points", lambda _, found: found.size),
-    (viscoelastic, "prepare", "dampings", lambda *_: 1),
+    (contact, "prepare", "dampings", lambda *_: 1),
 ]
 """Module, name by which Python calls the kernel there, kind of work, how much of it."""
 

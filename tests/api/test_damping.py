@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
+from restitution.mechanics.contact import contact_duration, normal_restitution
 
 KNOWN = [
     (18.0, 0.2142857143, 0.05, -0.319335367, 3),

@@ -20,7 +20,7 @@ from pathlib import Path
 
 import numpy as np
 
-from restitution.mechanics.viscoelastic import contact_duration
+from restitution.mechanics.contact import contact_duration
 from restitution.studies.accuracy.candidates import Candidate
 from restitution.studies.accuracy.reference import Reference, reference
 from restitution.studies.accuracy.report import tradeoff_report

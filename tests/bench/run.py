@@ -21,7 +21,7 @@ import numpy as np
 from record import RUNS, median, report
 from solver import solve_with_events
 
-from restitution.mechanics import collision, damped, damped_normal_motion, viscoelastic
+from restitution.mechanics import collision, contact, damped_normal_motion
 from restitution.methods import planner, table
 from restitution.methods.answer import Options
 from restitution.studies.collision.axis import Axis
@@ -33,6 +33,7 @@ RESULTS = Path(__file__).parents[2] / "bench.json"
 RESTITUTION = Path(sys.executable).with_name("restitution")
 PORT = 8641
 SLOW_MILLISECONDS = 50
+MOST_SWITCHES = float(collision.MOST_SWITCHES)
 
 
 def kernel(kappa: np.ndarray, tangential: np.ndarray) -> dict[str, float]:
@@ -45,7 +46,7 @@ def kernel(kappa: np.ndarray, tangential: np.ndarray) -> dict[str, float]:
         np.empty(kappas.size),
     )
     seconds = median(
-        lambda: collision._collide_each(kappas, psis, collision.MOST_SWITCHES, *outputs)
+        lambda: collision._collide_each(contact.ELASTIC, MOST_SWITCHES, kappas, psis, *outputs)
     )
     return {"µs": 1e6 * seconds / kappas.size, "mean switches": float(outputs[1].mean())}
 
@@ -69,7 +70,6 @@ def kernels() -> dict[str, float]:
 
 def damping_figures(eta: float = 0.1) -> dict[str, float]:
     """Return the costs of an η and of collisions with it, one thread."""
-    contact = viscoelastic.normal_contact(eta)
     rng = np.random.default_rng(2011)
     linear = np.meshgrid(np.linspace(0.1, 70, 150), np.linspace(0.01, 4, 150) / 1.4)
     ranges = np.log([[0.3, 400.0], [0.05, 3.0]])
@@ -78,8 +78,8 @@ def damping_figures(eta: float = 0.1) -> dict[str, float]:
     for name, axes in (("linear grid", linear), ("κ .3…400, ψ .05…3", scattered)):
         kappa, psi = (axis.ravel() for axis in axes)
         outputs = [np.empty(kappa.size, t) for t in (float, np.int32, np.bool_, float)]
-        run = [contact, kappa, psi, collision.MOST_SWITCHES, *outputs]
-        seconds = median(lambda run=run: damped._collide_each(*run))
+        run = [contact.contact_of(eta), MOST_SWITCHES, kappa, psi, *outputs]
+        seconds = median(lambda run=run: collision._collide_each(*run))
         figures[f"damped collision, {name}, µs CPU"] = 1e6 * seconds / kappa.size
     prepare = median(lambda: damped_normal_motion.prepare(eta, damped_normal_motion.MOST_STEPS), 51)
     return figures | {"preparing a new η, ms CPU": 1e3 * prepare}
@@ -120,7 +120,8 @@ def general_solver(points: int = 40) -> dict[str, float]:
     theirs = (time.thread_time() - begin) / points
     repeated = np.tile(kappa, 500), np.tile(psi, 500)
     outputs = [np.empty(repeated[0].size, t) for t in (float, np.int32, np.bool_, float)]
-    ours = median(lambda: collision._collide_each(*repeated, collision.MOST_SWITCHES, *outputs))
+    run = [contact.ELASTIC, MOST_SWITCHES, *repeated, *outputs]
+    ours = median(lambda: collision._collide_each(*run))
     return {
         "solve_ivp with events (rtol 1e-9), µs CPU per collision": 1e6 * theirs,
         "its median error in ε_t": float(np.median(errors)),

@@ -5,7 +5,7 @@ import urllib.parse
 import numpy as np
 import pytest
 from explorer import IMPACT_PARAMETERS, PARAMETERS, collision_of, settle, text, visit
-from playwright.sync_api import BrowserContext, Page, Route, expect
+from playwright.sync_api import BrowserContext, Error, Page, Route, expect
 
 pytestmark = pytest.mark.browser
 
@@ -129,7 +129,12 @@ class Monkey:
             [(name, NONSENSE[self.rng.integers(len(NONSENSE))][:500]) for name in chosen]
         )
         hash_ = f"#{self.rng.choice(NONSENSE)[:80]}" if self.rng.random() < 0.3 else ""
-        self.page.goto(f"{self.server}/?{query}{hash_}", wait_until="commit")
+        try:
+            self.page.goto(f"{self.server}/?{query}{hash_}", wait_until="commit")
+        except Error as error:
+            # a step back in the history may still be on its way
+            if "interrupted by another navigation" not in str(error):
+                raise
         return query[:200]
 
     def resize(self) -> str:

@@ -13,7 +13,12 @@ from restitution.mechanics.collision import (
     expected_switch_counts,
 )
 from restitution.mechanics.hertz import CONTACT_DURATION
-from restitution.mechanics.limits import sliding_threshold, stiff_bound, weak_limit
+from restitution.mechanics.limits import (
+    GEAR_WHEEL_STIFFNESS,
+    sliding_threshold,
+    stiff_bound,
+    weak_limit,
+)
 from restitution.mechanics.motion import motion
 
 SMALLEST, LARGEST = 5e-324, 1.7976931348623157e308
@@ -112,8 +117,17 @@ def test_stiff_bound_holds():
     assert np.all(np.abs(result.epsilon_t) <= stiff_bound(kappa, psi) + result.error_bound)
 
 
+def test_epsilon_t_stays_within_its_bounds_at_the_gear_wheel():
+    # the free swing is back exactly when the contact ends; rounding had it faster than it began
+    assert np.all(np.abs(collide(GEAR_WHEEL_STIFFNESS, 10.0 ** np.arange(-100, 0)).epsilon_t) <= 1)
+
+
 def test_infinite_psi_is_the_frictionless_limit():
-    assert collide(18.0, np.inf).epsilon_t == 1.0
+    for kappa in (18.0, LARGEST):
+        result = collide(kappa, np.inf)
+        assert result.epsilon_t == 1.0
+        assert result.switches == 0
+        assert result.switches_certain
 
 
 def test_vanishing_psi_is_a_limit_without_switches():

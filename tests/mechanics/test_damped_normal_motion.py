@@ -7,8 +7,8 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from restitution.mechanics.contact import MOST_DAMPING, contact_of
 from restitution.mechanics.damped_normal_motion import curvature_at, damped_motion, rate_at
-from restitution.mechanics.viscoelastic import MOST_DAMPING, normal_contact
 
 dampings = st.builds(lambda m, e: m * 10.0**e, st.floats(1, 9.99), st.integers(-300, 29))
 
@@ -23,7 +23,7 @@ def states(contact, falling, positions):
 @example(1e-300)
 @example(MOST_DAMPING)
 def test_contact_is_continuous_and_its_force_is_that_of_the_equation(damping):
-    contact = normal_contact(damping)
+    contact = contact_of(damping)
     # both halves at the largest force; the last bits of a long tail add up
     rising = damped_motion(contact, False, contact.rising_end)
     falling = damped_motion(contact, True, contact.falling_end)
@@ -45,7 +45,7 @@ def test_contact_is_continuous_and_its_force_is_that_of_the_equation(damping):
 
 @given(dampings)
 def test_force_rises_once_and_falls_once(damping):
-    contact = normal_contact(damping)
+    contact = contact_of(damping)
     for half, end in ((False, contact.rising_end), (True, contact.falling_end)):
         root, cap, _, _ = states(contact, half, np.linspace(0.0, end, 400))
         assert np.all(np.diff(root * cap) > -1e-15 * contact.peak)
@@ -54,7 +54,7 @@ def test_force_rises_once_and_falls_once(damping):
 # below, its least value, −.35/η², tells nothing but its sign
 @given(dampings.filter(lambda damping: damping > 1e-20))
 def test_curvature_has_the_extrema_that_the_events_rely_on(damping):
-    contact = normal_contact(damping)
+    contact = contact_of(damping)
     end = contact.rising_end + contact.falling_end
     marks = [0.0, contact.valley, contact.ridge, end] if contact.ridge > 0 else [0.0, end]
     for i, (low, high) in enumerate(pairwise(marks)):
@@ -67,7 +67,7 @@ def test_curvature_has_the_extrema_that_the_events_rely_on(damping):
 
 def test_energy_is_lost_to_damping_alone():
     # d(ẋ²/2 + (2/5) x^{5/2})/dt = −η √x ẋ², whatever way the motion was found
-    contact = normal_contact(0.3)
+    contact = contact_of(0.3)
     root, cap, loss, time = states(contact, False, np.linspace(0.0, contact.rising_end, 4001))
     rate = 1.0 - loss
     energy = 0.5 * rate**2 + 0.4 * root**5

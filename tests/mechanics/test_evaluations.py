@@ -12,7 +12,7 @@ from restitution.mechanics.switching import MOST_STEPS
 COUNT = """
 import json, sys, warnings
 import numpy as np
-from restitution.mechanics import collision, damped, viscoelastic
+from restitution.mechanics import collision, contact
 
 # overflow and division by zero, which compiled kernels pass over, too
 warnings.simplefilter("ignore")
@@ -24,12 +24,12 @@ def note(frame, event, _):
 
 found = []
 for kappa, psi, damping in json.load(sys.stdin):
-    one = [np.array([kappa]), np.array([psi]), float(collision.MOST_SWITCHES)]
+    one = [np.array([kappa]), np.array([psi])]
     out = [np.empty(1), np.empty(1, np.int32), np.empty(1, np.bool_), np.empty(1)]
-    contact = [viscoelastic.normal_contact(damping)] if damping else []
+    given = contact.contact_of(damping), float(collision.MOST_SWITCHES)
     evaluations = 0
     sys.setprofile(note)
-    (damped if damping else collision)._collide_each(*contact, *one, *out)
+    collision._collide_each(*given, *one, *out)
     sys.setprofile(None)
     found.append((evaluations, int(out[1][0])))
 json.dump(found, sys.stdout)

@@ -10,9 +10,9 @@ from restitution.mechanics.hertz import (
     HALF_CONTACT_ROOT,
     MAXIMUM_COMPRESSION,
     MAXIMUM_FORCE,
-    normal_curves,
     normal_motion,
 )
+from restitution.mechanics.motion import normal_curves
 
 ROUNDING = 2.0**-52
 

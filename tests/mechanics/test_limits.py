@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from restitution.mechanics.collision import SHARP_STIFF_LIMIT, collide
+from restitution.mechanics.collision import collide
+from restitution.mechanics.elastic import SHARP_STIFF_LIMIT
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.limits import (
     GEAR_WHEEL_STIFFNESS,

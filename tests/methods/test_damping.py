@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from restitution.errors import CostError, ParameterError
-from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
+from restitution.mechanics.collision import collide
+from restitution.mechanics.contact import contact_duration, normal_restitution
 from restitution.methods import exact, planner
 from restitution.methods.answer import Options
 
@@ -80,9 +81,7 @@ def test_auto_answers_what_is_too_stiff_with_a_bound_that_says_so():
 
 
 def test_no_damping_is_the_undamped_collision_bit_for_bit():
-    plain = exact.follow(KAPPA, PSI, 0.0, 1e4)
-    from restitution.mechanics.collision import collide  # noqa: PLC0415 - beside its twin
-
+    plain = solve("exact", 0.0)
     np.testing.assert_array_equal(plain.epsilon_t, collide(KAPPA, PSI).epsilon_t)
     assert contact_duration(0.0) == 3.2180654597190430846
     assert normal_restitution(0.0) == 1.0

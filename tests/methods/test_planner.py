@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from restitution.errors import CostError, ParameterError
-from restitution.mechanics.collision import MOST_SWITCHES, collide
+from restitution.mechanics.collision import MOST_SWITCHES, collide, expected_switch_counts
 from restitution.methods import exact, planner, table
 from restitution.methods.answer import Options
 from work import counted
@@ -122,7 +122,7 @@ def test_exact_by_name_is_refused_beyond_its_budget():
 
 
 def test_exact_by_name_follows_no_more_switches_than_a_request_may():
-    expected = exact.expected_counts(np.array([2e9]), np.array([1.0]), 0.0)[0]
+    expected = expected_switch_counts(np.array([2e9]), np.array([1.0]))[0]
     too_many = int(exact.MOST_SWITCHES_PER_REQUEST / expected) + 1
     with counted() as work, pytest.raises(CostError, match="20,000,000"):
         solve(np.full(too_many, 2e9), 1.0, method="exact")

@@ -9,7 +9,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from restitution.errors import ParameterError
-from restitution.mechanics.viscoelastic import (
+from restitution.mechanics.contact import (
     MOST_DAMPING,
     contact_duration,
     largest_force,

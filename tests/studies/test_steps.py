@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from restitution.mechanics.collision import collide
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.stepping import step_collisions
-from restitution.mechanics.viscoelastic import contact_duration
-from restitution.methods.exact import follow
 from restitution.studies.accuracy.candidates import STEPS
 from restitution.studies.accuracy.scenes import SCENES
 from restitution.studies.accuracy.steps import LADDER, TWINS, study_steps
@@ -19,7 +19,7 @@ DAMPED = CollisionParameters(18.0, 1.4, 0.5, 0.3)
 
 def errors(collision, steps, integrator, phases):
     kappa, psi = np.array([collision.kappa]), np.array([collision.psi])
-    exact = follow(kappa, psi, collision.damping, 1000.0).epsilon_t
+    exact = collide(kappa, psi, collision.damping, 1000.0).epsilon_t
     stepped = [
         step_collisions(kappa, psi, steps, integrator, phase, damping=collision.damping)
         for phase in phases

@@ -8,7 +8,6 @@ import pytest
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods import planner
-from restitution.methods.exact import follow
 from restitution.studies.accuracy import candidates as every
 from restitution.studies.accuracy.candidates import UNDAMPED, Candidate, candidates
 from restitution.studies.accuracy.reference import KNOWN, reference
@@ -79,7 +78,7 @@ def test_reference_is_known_and_exact(scene):
     truth = reference(scene, 500)
     assert truth.kappa.size == 500
     for eta, part in truth.by_damping():
-        exact = follow(part.kappa, part.psi, eta, 1000.0)
+        exact = collide(part.kappa, part.psi, eta, 1000.0)
         np.testing.assert_array_equal(part.epsilon_t, exact.epsilon_t)
         np.testing.assert_array_equal(part.switches, exact.switches)
     assert np.all(reference("extremes", 500).error_bound <= KNOWN)

@@ -1,17 +1,16 @@
-"""The exact collision without damping, episode by episode, and what follows from the episodes.
+"""The exact collision, episode by episode, and what follows from the episodes.
 
-The two parameters are κ (Eq. 24, with α in it) and ψ = (α/μ)(g_t/g_n); z and u are the paper's
-divided by μ/α. ε_t = u(t_c)/u(0) (Eq. 7): +1 for smooth spheres, −1 for gear wheels; some authors
-use the opposite sign.
+Its parameters are κ (Eq. 24, with α in it), ψ = (α/μ)(g_t/g_n) and η, which makes the `contact`;
+z and u are the paper's divided by μ/α. ε_t = u(t_c)/u(0) (Eq. 7): +1 for smooth spheres, −1 for
+gear wheels; some authors use the opposite sign.
 """
 
 import contextvars
 import functools
-import math
 import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -19,37 +18,27 @@ import numpy.typing as npt
 from restitution.errors import require
 from restitution.interruption import pause
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.hertz import (
-    CONTACT_DURATION,
-    MAXIMUM_FORCE,
-    FloatArray,
-    normal_motion,
-)
-from restitution.mechanics.switching import (
-    COMPRESSING,
-    DECOMPRESSING,
-    MONOTONE_STIFFNESS,
-    ROUNDING,
-    SLIDING_TO_THE_END,
-    first_sliding_end,
+from restitution.mechanics.contact import (
+    Contact,
+    contact_of,
+    energy_bound,
+    expected_switches,
+    rounding_bound,
     sliding_end,
-    slip_extremum,
-    slip_reach,
-    sticking_end_after_compression,
-    sticking_end_in_decompression,
+    spring_in,
+    sticking_end,
 )
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.scaled_velocity import WEAKEST
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
-WEAKEST = 1e-100
-"""ψ below which ε_t, the switches and u/ψ no longer depend on it, to double precision.
-
-The difference to the limit ψ → 0 is of order (ψκ^{5/4})^{2/3}: below 1e-16 for κ < 1e60. Raising
-a smaller ψ to this one keeps every intermediate quantity clear of underflow."""
-
 MOST_SWITCHES = 50_000
 """Largest expected number of switches that is followed: about 10 ms of one core."""
+
+ENDLESS = 10_000_000
+"""Switches after which a collision goes wrong: far beyond `MOST_SWITCHES` and what is expected."""
 
 TOO_STIFF = -1
 """Stands for the number of switches of a collision that was not followed."""
@@ -61,12 +50,12 @@ EPISODE = np.dtype(
     [
         ("q", np.float64),
         ("velocity", np.float64),
-        ("decompressing", np.bool_),
+        ("falling", np.bool_),
         ("side", np.int8),
         ("sliding", np.bool_),
     ]
 )
-"""The beginning of an episode: q, u, in which half, sign of the spring, regime."""
+"""The beginning of an episode: q, u, whether the normal force falls, sign of the spring, regime."""
 
 
 class Collision(NamedTuple):
@@ -117,69 +106,18 @@ def in_parts(fill: Callable[[int], None], size: int) -> None:
 
 
 @compiled
-def expected_switches(kappa: float, psi: float) -> float:
-    """Return about how many switches a collision has, rather too many than too few.
-
-    They crowd into the decompression, from where the cap has fallen to the spring's amplitude, of
-    order ψ√κ, or where the first sliding ends; there one takes about half a radian of √κ t.
-    """
-    if psi >= 2.0:
-        return 4.0
-    omega = math.sqrt(kappa)
-    begin: float = min(0.5 * CONTACT_DURATION, 1.2 * (psi * omega) ** (2.0 / 3.0))
-    begin = min(begin, 1.2 * (2.5 * (2.0 - psi)) ** 0.4)
-    return 4.0 + 2.0 * omega * begin / math.pi
-
-
-@compiled
-def _expect_each(kappa: FloatArray, psi: FloatArray, expected: FloatArray) -> None:
+def _expect_each(
+    contact: Contact, kappa: FloatArray, psi: FloatArray, expected: FloatArray
+) -> None:
     for i in range(kappa.size):
-        expected[i] = expected_switches(kappa[i], psi[i])
+        expected[i] = expected_switches(contact, kappa[i], psi[i])
 
 
-def expected_switch_counts(kappa: FloatArray, psi: FloatArray) -> FloatArray:
-    """Return `expected_switches` of collisions (N,): what following them will cost."""
+def expected_switch_counts(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> FloatArray:
+    """Return about how many switches collisions (N,) have, rather too many than too few."""
     expected = np.empty(kappa.shape)
-    _expect_each(kappa, psi, expected)
+    _expect_each(contact_of(damping), kappa, psi, expected)
     return expected
-
-
-@compiled
-def stiff_bound(kappa: float, psi: float) -> float:
-    """Return min(1, (5/4)^{3/5}/(ψ√κ)), a bound on |ε_t| for ψ < 2; see `limits.stiff_bound`."""
-    return min(1.0, MAXIMUM_FORCE / math.sqrt(kappa) / psi)
-
-
-SHARP_STIFF_LIMIT = 4.484842352
-"""max over τ of (τ + π/2)^{3/2} − (2/5) τ^{5/2}, rounded up; at τ = 2.0035."""
-
-NO_LESS = 2.3e-308
-"""Bounds stay above the smallest normal double: a bound of 0 would promise too much."""
-
-
-@compiled
-def sharp_stiff_bound(kappa: float, psi: float) -> float:
-    """Return min(`stiff_bound`, 4.4848 κ^{-5/4}/ψ), a bound on |ε_t| for ψ < 2.
-
-    The second is proven from κ = `MONOTONE_STIFFNESS` on (docs/model.md) and smaller than the
-    first from κ = 6.2 on.
-    """
-    half_power = kappa**-0.625
-    # in two halves, between which a small ψ makes up for a large κ
-    sharp = SHARP_STIFF_LIMIT * half_power / psi * half_power
-    bound = stiff_bound(kappa, psi)
-    return max(NO_LESS, min(bound, sharp) if kappa >= MONOTONE_STIFFNESS else bound)
-
-
-@compiled
-def rounding_bound(kappa: float, psi: float) -> float:
-    """Return a bound on the rounding error of ε_t.
-
-    Errors never grow, for two motions under the same cap only approach each other (docs/model.md).
-    What remains is the phase √κ t_c of a swing whose amplitude is at most `stiff_bound`, and some
-    roundings of ε_t itself. The factor is five times the largest error seen in tests/validation.
-    """
-    return 4e-15 * (1.0 + math.sqrt(kappa) * stiff_bound(kappa, psi))
 
 
 @compiled
@@ -188,68 +126,30 @@ def record(
     i: int,
     q: float,
     velocity: float,
-    decompressing: bool,
+    falling: bool,
     side: int,
     sliding: bool,
 ) -> None:
     """Write the beginning of episode `i`."""
     episodes[i]["q"] = q
     episodes[i]["velocity"] = velocity
-    episodes[i]["decompressing"] = decompressing
+    episodes[i]["falling"] = falling
     episodes[i]["side"] = side
     episodes[i]["sliding"] = sliding
 
 
 @compiled
-def velocity_to_stop(q: float, decompressing: bool) -> float:
-    """Return what the cap can still take from the velocity in the rest of the contact, 1 + ẋ."""
-    _, loss = normal_motion(q)
-    return loss if decompressing else 2.0 - loss
-
-
-@compiled
-def sticking_end(
-    kappa: float, phase: int, q: float, side: int, velocity: float
-) -> tuple[bool, float, int, float, bool]:
-    """Return the half, q, side, velocity towards that side, and certainty of the next sliding.
-
-    Sticking began in `phase` at q on the given side with the given velocity.
-    """
-    omega = math.sqrt(kappa)
-    decompressing = certain = True
-    if phase == COMPRESSING:
-        decompressing, q, side, velocity, certain = sticking_end_after_compression(
-            kappa, omega, q, velocity
-        )
-        towards = side * velocity
-    else:
-        q, towards = sticking_end_in_decompression(omega, q, abs(velocity))
-        side = -side
-    if decompressing and kappa * (velocity_to_stop(q, True) - towards) > slip_reach(kappa, q):
-        # Only rounding has put the spring on the cap: it moves away, faster than the cap falls.
-        q, towards = sticking_end_in_decompression(omega, q, -towards)
-        side, certain = -side, False
-    return decompressing, q, side, towards, certain
-
-
-@compiled
-def next_sliding_end(kappa: float, q: float, decompressing: bool, lacking: float) -> float:
-    """Return q where sliding ends that began at q and lacks the velocity `lacking` to go on."""
-    high = q
-    if kappa < MONOTONE_STIFFNESS:
-        extremum = slip_extremum(kappa)
-        high = min(q, extremum) if decompressing else extremum
-    return sliding_end(kappa, kappa * lacking, high, high)
-
-
-@compiled
-def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[float, int, bool]:
+def follow(
+    contact: Contact, kappa: float, psi: float, episodes: npt.NDArray[np.void]
+) -> tuple[float, int, bool]:
     """Follow one collision from switch to switch.
 
     Parameters
     ----------
+    contact : Contact
+        What η makes of the normal motion.
     kappa, psi : float
-        Positive and finite; ψ at least `WEAKEST`.
+        Positive and finite; ψ from `WEAKEST` to `contact.strongest`.
     episodes : ndarray of `EPISODE`
         Filled with the first episodes, as many as it has room for; may be empty.
 
@@ -258,96 +158,62 @@ def follow(kappa: float, psi: float, episodes: npt.NDArray[np.void]) -> tuple[fl
     epsilon_t, switches, certain
         As in `Collision`.
     """
-    phase, q, certain = first_sliding_end(kappa, psi)
+    spring = spring_in(contact, kappa)
     room = episodes.size
-    if room > 0:
-        record(episodes, 0, 0.0, psi, False, 1, True)
-    if phase == SLIDING_TO_THE_END:
-        return 1.0 - 2.0 / psi, 0, certain
-    omega = math.sqrt(kappa)
-    phase_rounding = 8.0 * ROUNDING * (1.0 + omega)
-    side = 1
-    switches = 0
-    while True:
-        root, loss = normal_motion(q)
-        compressing = phase == COMPRESSING
-        velocity = psi - loss if compressing else -1.5 * side * root * (1.0 - loss) / kappa
-        switches += 1
+    falling, q, side, towards = False, 0.0, 1, psi
+    sliding, certain = contact.begins_sliding, True
+    for switches in range(ENDLESS):
         if switches < room:
-            record(episodes, switches, q, velocity, not compressing, side, False)
-        decompressing, q, side, towards, sure = sticking_end(kappa, phase, q, side, velocity)
-        switches += 1
-        if switches < room:
-            record(episodes, switches, q, side * towards, decompressing, side, True)
-        lacking = velocity_to_stop(q, decompressing) - towards
-        # the velocity of a swing is known to the rounding of its phase, times its amplitude
-        root, _ = normal_motion(q)
-        swing = math.hypot(root * root * root / omega, towards)
-        certain = certain and sure and abs(lacking) > phase_rounding * swing
-        if lacking <= 0.0:
-            return -side * lacking / psi, switches, certain
-        q = next_sliding_end(kappa, q, decompressing, lacking)
-        phase = DECOMPRESSING
+            record(episodes, switches, q, side * towards, falling, side, sliding)
+        if sliding:
+            ends, falling, q, towards, sure = sliding_end(contact, spring, falling, q, towards)
+            certain = certain and sure
+            if not ends and switches == 0:
+                # Eq. 15: what the cap takes, not what it leaves, is known to the last digit
+                return 1.0 - contact.impulse / psi, switches, certain
+            if not ends:
+                # rounding can exceed what the energy allows
+                return min(max(side * towards / psi, -1.0), 1.0), switches, certain
+        else:
+            falling, q, turned, towards, sure = sticking_end(contact, spring, falling, q, towards)
+            side *= turned
+            certain = certain and sure
+        sliding = not sliding
+    raise ArithmeticError("the collision does not end")
 
 
 @compiled
 def _collide_each(
+    contact: Contact,
+    most_switches: float,
     kappa: FloatArray,
     psi: FloatArray,
-    most_switches: float,
     epsilon_t: FloatArray,
     switches: npt.NDArray[np.int32],
     certain: npt.NDArray[np.bool_],
     bound: FloatArray,
 ) -> None:
-    """Fill the last four arrays (N,) for the parameters in the first two."""
+    """Fill the last four arrays (N,) for the parameters before them."""
     nothing = np.empty(0, dtype=EPISODE)
     for i in range(kappa.size):
-        k, p = kappa[i], max(psi[i], WEAKEST)
-        bound[i] = rounding_bound(k, p)
-        # for ψ ≥ 2 there are few switches, and the stiff limit says nothing
-        if p < 2.0 and (bound[i] >= 1.0 or expected_switches(k, p) > most_switches):
+        k, p = kappa[i], min(max(psi[i], WEAKEST), contact.strongest)
+        bound[i] = rounding_bound(contact, k, p)
+        # stronger ones have few switches, and energy does not bound them
+        weak = p < contact.impulse
+        if weak and (bound[i] >= 1.0 or expected_switches(contact, k, p) > most_switches):
             epsilon_t[i], switches[i], certain[i] = 0.0, TOO_STIFF, False
-            bound[i] = sharp_stiff_bound(k, psi[i])
+            bound[i] = energy_bound(contact, k, psi[i])
         else:
-            epsilon_t[i], switches[i], certain[i] = follow(k, p, nothing)
-        if psi[i] == 0.0:
+            epsilon_t[i], switches[i], certain[i] = follow(contact, k, p, nothing)
+        if psi[i] == 0.0 or psi[i] == np.inf:
             switches[i], certain[i] = 0, True
 
 
-def collide_in_parts(
-    kappa: npt.ArrayLike, psi: npt.ArrayLike, each: Callable[..., None]
-) -> Collision:
-    """Return what `each` makes of collisions, shared among threads where they are many.
-
-    It takes κ and ψ (N,) and fills ε_t, switches, certainty and bound (N,).
-    """
-    kappas, psis = np.broadcast_arrays(
-        np.asarray(kappa, dtype=np.float64), np.asarray(psi, dtype=np.float64)
-    )
-    require("kappa", kappas, (kappas > 0) & np.isfinite(kappas), "positive and finite")
-    require("psi", psis, psis >= 0, "0 or more")
-    # copies, for a kernel does not take what is broadcast
-    flat = np.array(kappas, order="C").ravel(), np.array(psis, order="C").ravel()
-    epsilon_t, bound = np.empty(kappas.size), np.empty(kappas.size)
-    switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
-    columns = *flat, epsilon_t, switches, certain, bound
-
-    def fill(begin: int) -> None:
-        each(*(column[begin : begin + PART] for column in columns))
-
-    in_parts(fill, kappas.size)
-    shape = kappas.shape
-    return Collision(
-        epsilon_t.reshape(shape),
-        switches.reshape(shape),
-        certain.reshape(shape),
-        bound.reshape(shape),
-    )
-
-
 def collide(
-    kappa: npt.ArrayLike, psi: npt.ArrayLike, most_switches: float = MOST_SWITCHES
+    kappa: npt.ArrayLike,
+    psi: npt.ArrayLike,
+    damping: float = 0.0,
+    most_switches: float = MOST_SWITCHES,
 ) -> Collision:
     """Return the coefficient of tangential restitution and the number of switches.
 
@@ -358,9 +224,11 @@ def collide(
     psi : array_like
         ψ = (α/μ)(g_t/g_n), not negative; broadcast against `kappa`. 0 stands for the limit
         ψ → 0, with no switch; infinity gives ε_t = 1.
+    damping : float, optional
+        η, at most `MOST_DAMPING`.
     most_switches : float, optional
-        Collisions with ψ < 2 that are expected to switch more often are not followed: they have
-        ε_t = 0 with the sharp stiff limit as bound, and `TOO_STIFF` switches.
+        Collisions with ψ < 1 + ε_n that are expected to switch more often are not followed: they
+        have ε_t = 0 with `energy_bound`, and `TOO_STIFF` switches.
 
     Returns
     -------
@@ -369,11 +237,33 @@ def collide(
 
     Examples
     --------
-    >>> epsilon_t, switches, _, _ = collide(18.0, [0.3, 1.0, 4.0])
+    >>> epsilon_t, switches, _, _ = collide(63.0, [0.3, 1.0, 4.0])
     >>> switches
-    array([4, 4, 0], dtype=int32)
+    array([4, 8, 0], dtype=int32)
+    >>> collide(63.0, [0.3, 1.0, 4.0], damping=0.05).switches
+    array([5, 9, 1], dtype=int32)
     """
+    contact = contact_of(damping)
     most = float(most_switches)  # an integer would be compiled for anew
-    return collide_in_parts(
-        kappa, psi, lambda kappas, psis, *out: _collide_each(kappas, psis, most, *out)
+    kappas, psis = np.broadcast_arrays(
+        np.asarray(kappa, dtype=np.float64), np.asarray(psi, dtype=np.float64)
+    )
+    require("kappa", kappas, (kappas > 0) & np.isfinite(kappas), "positive and finite")
+    require("psi", psis, psis >= 0, "0 or more")
+    # copies, for a kernel does not take what is broadcast
+    flat = np.array(kappas, order="C").ravel(), np.array(psis, order="C").ravel()
+    epsilon_t, bound = np.empty(kappas.size), np.empty(kappas.size)
+    switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
+    columns: tuple[npt.NDArray[Any], ...] = *flat, epsilon_t, switches, certain, bound
+
+    def fill(begin: int) -> None:
+        _collide_each(contact, most, *(column[begin : begin + PART] for column in columns))
+
+    in_parts(fill, kappas.size)
+    shape = kappas.shape
+    return Collision(
+        epsilon_t.reshape(shape),
+        switches.reshape(shape),
+        certain.reshape(shape),
+        bound.reshape(shape),
     )

@@ -31,12 +31,15 @@ ORDER = 24
 MOST_STEPS = 2000
 """Of a survey; the longest, at `viscoelastic.MOST_DAMPING`, takes 711."""
 
+STRONGEST = 1e150
+"""ψ above which ε_t is 1 to double precision: what the cap takes is at most 2."""
+
 NO_VALLEY_VALUE = 1e-20
 """η below which the curvature at its local minimum, −.35/η², is only known to be negative."""
 
 
-class Contact(NamedTuple):
-    """The normal motion of one η in its own units, see the module; what kernels take."""
+class Viscoelastic(NamedTuple):
+    """The contact of one η > 0 in its own units, see the module; what kernels take."""
 
     pieces: FloatArray
     """Coefficients [piece][power][column], the columns being those of `damped_motion`; first the
@@ -68,6 +71,10 @@ class Contact(NamedTuple):
     ridge: float
     """Position of its local maximum."""
     ridge_value: float
+    begins_sliding: bool
+    """False: the cap rises as √t at first, the spring's force as t."""
+    strongest: float
+    """ψ above which the collision is followed as one of this ψ."""
 
 
 @compiled
@@ -113,7 +120,9 @@ def summed(series: FloatArray, distance: float) -> tuple[float, float, float, fl
 
 
 @compiled
-def damped_motion(contact: Contact, falling: bool, q: float) -> tuple[float, float, float, float]:
+def damped_motion(
+    contact: Viscoelastic, falling: bool, q: float
+) -> tuple[float, float, float, float]:
     """Return R, C, velocity spent or yet to be spent, time from the start or to the end, at q."""
     piece = int(q / STEP + 0.5)
     distance = q - piece * STEP
@@ -132,7 +141,7 @@ def damped_motion(contact: Contact, falling: bool, q: float) -> tuple[float, flo
 
 
 @compiled
-def rate_at(contact: Contact, falling: bool, loss: float) -> float:
+def rate_at(contact: Viscoelastic, falling: bool, loss: float) -> float:
     """Return V from the velocity spent."""
     return contact.last_rate + loss if falling else 1.0 - loss
 
@@ -157,7 +166,7 @@ def cap_bend(a: float, b: float, root: float, rate: float, cap: float) -> float:
 
 
 @compiled
-def curvature(contact: Contact, falling: bool, q: float) -> float:
+def curvature(contact: Viscoelastic, falling: bool, q: float) -> float:
     """Return −P̈/P at q, the stiffness below which the cap would outrun a spring at it."""
     root, cap, loss, _ = damped_motion(contact, falling, q)
     rate = rate_at(contact, falling, loss)
@@ -243,7 +252,7 @@ def _fill(
 
 
 @compiled
-def _bump(contact: Contact, low: float, high: float, sign: float) -> float:
+def _bump(contact: Viscoelastic, low: float, high: float, sign: float) -> float:
     """Return the position between two at which sign times the curvature is largest."""
     share = 0.3819660112501051
     for _ in range(40):
@@ -256,7 +265,7 @@ def _bump(contact: Contact, low: float, high: float, sign: float) -> float:
 
 
 @compiled
-def curvature_at(contact: Contact, position: float) -> float:
+def curvature_at(contact: Viscoelastic, position: float) -> float:
     """Return `curvature` at a distance in τ from the start."""
     left = contact.rising_end + contact.falling_end - position
     if position <= contact.rising_end:
@@ -265,7 +274,7 @@ def curvature_at(contact: Contact, position: float) -> float:
 
 
 @compiled
-def _shape(contact: Contact) -> tuple[float, float]:
+def _shape(contact: Viscoelastic) -> tuple[float, float]:
     """Return the positions of the local minimum and the local maximum of the curvature.
 
     It falls from +∞ at the start to −∞ at the end, and between rises once or not at all. Negative
@@ -297,7 +306,7 @@ def _shape(contact: Contact) -> tuple[float, float]:
 
 
 @compiled
-def prepare(damping: float, limit: int) -> Contact:
+def prepare(damping: float, limit: int) -> Viscoelastic:
     """Return the contact of a positive η; `rising` is 0 where its end was not found."""
     if damping < 1.0:
         a, b, unit = 1.0, damping, 1.0
@@ -309,9 +318,9 @@ def prepare(damping: float, limit: int) -> Contact:
     pieces = np.empty((first + last, TERMS, 4))
     _fill(a, b, 1.0, 0.0, 1.0, b, pieces[:first])
     _fill(a, b, -1.0, root, rate, 0.0, pieces[first:])
-    contact = Contact(
+    contact = Viscoelastic(
         pieces, first, a, b, unit, peak, end - peak, 0.0, 1.0 - rate, rate, 0.0, 0.0,
-        -a * root * rate, -1.0, 0.0, -1.0, 0.0,
+        -a * root * rate, -1.0, 0.0, -1.0, 0.0, False, STRONGEST,
     )  # fmt: skip
     if first == 0:
         return contact
@@ -324,11 +333,12 @@ def prepare(damping: float, limit: int) -> Contact:
     else:
         valley, ridge = _shape(contact)
     found = ridge >= 0.0
-    return Contact(
+    return Viscoelastic(
         pieces, first, a, b, unit, peak, end - peak, before + after, 1.0 - rate, rate, before,
         high * cap, -a * root * rate,
         valley if found else -1.0,
         curvature_at(contact, valley) if found and b >= NO_VALLEY_VALUE else -1.0,
         ridge if found else -1.0,
         curvature_at(contact, ridge) if found else 0.0,
+        False, STRONGEST,
     )  # fmt: skip

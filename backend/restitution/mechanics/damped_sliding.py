@@ -1,6 +1,6 @@
 """Where sliding ends in a damped contact, and where in it an instant lies.
 
-All quantities are in the units of the `Contact`; z and u are the paper's divided by m = μ/α. An
+All quantities are in the units of the contact; z and u are the paper's divided by m = μ/α. An
 instant is q in one of the halves, with a word on the half, or a time since the start. With
 r = κP + P̈ (docs/model.md, "Events with damping"):
 
@@ -13,21 +13,18 @@ import math
 
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.damped_normal_motion import (
-    Contact,
+    Viscoelastic,
     cap_bend,
     cap_slope,
     curvature_at,
     damped_motion,
     rate_at,
 )
-from restitution.mechanics.switching import MOST_STEPS, ROUNDING, newton_within
-
-NOWHERE = -1.0
-"""Stands for a time that there is not."""
+from restitution.mechanics.switching import MOST_STEPS, NOWHERE, ROUNDING, Spring, newton_within
 
 
 @compiled
-def place(contact: Contact, falling: bool, time: float) -> float:
+def place(contact: Viscoelastic, falling: bool, time: float) -> float:
     """Return q at a time from the start, or to the end when `falling`."""
     longest = contact.duration - contact.peak_time if falling else contact.peak_time
     end = contact.falling_end if falling else contact.rising_end
@@ -52,7 +49,7 @@ def place(contact: Contact, falling: bool, time: float) -> float:
 
 
 @compiled
-def at_time(contact: Contact, time: float) -> tuple[bool, float]:
+def at_time(contact: Viscoelastic, time: float) -> tuple[bool, float]:
     """Return the half and q at a time from the start."""
     if time <= contact.peak_time:
         return False, place(contact, False, time)
@@ -60,7 +57,7 @@ def at_time(contact: Contact, time: float) -> tuple[bool, float]:
 
 
 @compiled
-def position_time(contact: Contact, position: float) -> float:
+def position_time(contact: Viscoelastic, position: float) -> float:
     """Return the time from the start at a distance in τ from the start."""
     if position <= contact.rising_end:
         return damped_motion(contact, False, position)[3]
@@ -69,7 +66,9 @@ def position_time(contact: Contact, position: float) -> float:
 
 
 @compiled
-def _curvature_root(contact: Contact, kappa: float, low: float, high: float, sign: float) -> float:
+def _curvature_root(
+    contact: Viscoelastic, kappa: float, low: float, high: float, sign: float
+) -> float:
     """Return the time at which −P̈/P passes κ between two positions, rising for `sign` 1."""
     # to 1e-8: what depends on it is at an extremum there
     for _ in range(27):
@@ -82,7 +81,7 @@ def _curvature_root(contact: Contact, kappa: float, low: float, high: float, sig
 
 
 @compiled
-def outrun(contact: Contact, kappa: float) -> tuple[float, float]:
+def outrun(contact: Viscoelastic, kappa: float) -> tuple[float, float]:
     """Return the times between which the cap curves away from the spring in mid-contact.
 
     There r < 0, as at the start; `NOWHERE` twice if it is so at the start only.
@@ -95,7 +94,7 @@ def outrun(contact: Contact, kappa: float) -> tuple[float, float]:
 
 
 @compiled
-def reach(contact: Contact, kappa: float, falling: bool, q: float) -> float:
+def reach(contact: Viscoelastic, kappa: float, falling: bool, q: float) -> float:
     """Return 2R (κL + |Ṗ|), L being the velocity spent, or yet to be spent when `falling`."""
     root, cap, loss, _ = damped_motion(contact, falling, q)
     slope = cap_slope(contact.a, contact.b, root, rate_at(contact, falling, loss), cap)
@@ -104,7 +103,7 @@ def reach(contact: Contact, kappa: float, falling: bool, q: float) -> float:
 
 @compiled
 def has_ended(
-    contact: Contact, kappa: float, target: float, lacking: float, falling: bool, q: float
+    contact: Viscoelastic, kappa: float, target: float, lacking: float, falling: bool, q: float
 ) -> bool:
     """Return whether sliding, had it gone on, would have ended before q."""
     root, _, _, _ = damped_motion(contact, falling, q)
@@ -116,7 +115,7 @@ def has_ended(
 
 @compiled
 def sliding_root(
-    contact: Contact, kappa: float, target: float, falling: bool, low: float, high: float
+    contact: Viscoelastic, kappa: float, target: float, falling: bool, low: float, high: float
 ) -> float:
     """Return q in (low, high) where κL + |Ṗ| = κ `target`, below it at `low`."""
     q = 0.5 * (low + high)
@@ -145,18 +144,14 @@ def sliding_root(
 
 @compiled
 def sliding_end(
-    contact: Contact,
-    kappa: float,
-    falling: bool,
-    q: float,
-    towards: float,
-    bend_begin: float,
+    contact: Viscoelastic, spring: Spring, falling: bool, q: float, towards: float
 ) -> tuple[bool, bool, float, float, bool]:
     """Return whether sliding ends, half, q, velocity towards its side there, and certainty.
 
     Sliding began at q with the velocity `towards`. The velocity is the last of the collision if
     sliding does not end.
     """
+    kappa = spring.stiffness
     _, _, loss, time = damped_motion(contact, falling, q)
     target = towards + loss
     lacking = loss - towards if falling else contact.impulse - target
@@ -165,9 +160,9 @@ def sliding_end(
     time = contact.duration - time if falling else time
     high = q if falling else contact.rising_end
     end, rising_ends = 0.0, False
-    if time < bend_begin:
+    if time < spring.bend_begin:
         # the reach grows until then and shrinks; if it does not suffice there, it will later
-        turn_falling, turn = at_time(contact, bend_begin)
+        turn_falling, turn = at_time(contact, spring.bend_begin)
         if has_ended(contact, kappa, target, lacking, turn_falling, turn):
             if turn_falling:
                 end = turn

@@ -9,14 +9,14 @@ import math
 
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.damped_normal_motion import (
-    Contact,
+    Viscoelastic,
     cap_bend,
     cap_slope,
     damped_motion,
     rate_at,
 )
-from restitution.mechanics.damped_sliding import NOWHERE, at_time, place
-from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, ROUNDING, newton_within
+from restitution.mechanics.damped_sliding import at_time, place
+from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, NOWHERE, ROUNDING, newton_within
 
 
 @compiled
@@ -28,7 +28,7 @@ def spring_at(elapsed: float, omega: float, force: float, pull: float) -> tuple[
 
 @compiled
 def gap_and_lead(
-    contact: Contact, omega: float, t0: float, force: float, pull: float, time: float
+    contact: Viscoelastic, omega: float, t0: float, force: float, pull: float, time: float
 ) -> tuple[float, float]:
     """Return P − κz and 2R (Ṗκz − Pκu) at a time; `force`, `pull` are κz and κu/ω at t₀."""
     falling, q = at_time(contact, time)
@@ -40,7 +40,9 @@ def gap_and_lead(
 
 
 @compiled
-def halved(contact: Contact, begin: float, end: float, later: bool) -> tuple[bool, float, float]:
+def halved(
+    contact: Viscoelastic, begin: float, end: float, later: bool
+) -> tuple[bool, float, float]:
     """Return the half and q from and to, for the part of an interval of times in one half.
 
     `later` says in which half, if it lies in both.
@@ -58,7 +60,7 @@ def halved(contact: Contact, begin: float, end: float, later: bool) -> tuple[boo
 
 @compiled
 def closest(
-    contact: Contact,
+    contact: Viscoelastic,
     kappa: float,
     t0: float,
     force: float,
@@ -99,7 +101,7 @@ def closest(
 
 @compiled
 def meeting(
-    contact: Contact,
+    contact: Viscoelastic,
     omega: float,
     origin: float,
     force: float,
@@ -143,7 +145,7 @@ def meeting(
 
 
 @compiled
-def cap_fall_time(contact: Contact, amplitude: float) -> float:
+def cap_fall_time(contact: Viscoelastic, amplitude: float) -> float:
     """Return the time to the end when P has fallen to `amplitude`; at most that of its peak."""
     if not amplitude < contact.peak:
         return contact.duration - contact.peak_time
@@ -165,7 +167,7 @@ def cap_fall_time(contact: Contact, amplitude: float) -> float:
 
 @compiled
 def meeting_before_bend_end(
-    contact: Contact,
+    contact: Viscoelastic,
     kappa: float,
     t0: float,
     force: float,
@@ -203,7 +205,7 @@ def meeting_before_bend_end(
 
 @compiled
 def meeting_in_swing(
-    contact: Contact,
+    contact: Viscoelastic,
     kappa: float,
     t0: float,
     force: float,
@@ -241,7 +243,7 @@ def meeting_in_swing(
 
 @compiled
 def sticking_end(
-    contact: Contact,
+    contact: Viscoelastic,
     kappa: float,
     t0: float,
     force: float,
@@ -259,7 +261,7 @@ def sticking_end(
     resting = t0 == 0.0
     swing = 0
     if not soft and not resting:
-        # what left the cap stays within it in this swing, and while the cap rises
+        # Sticking 1 and 2: what left the cap stays within it in this swing, and while the cap rises
         fallen = contact.duration - cap_fall_time(contact, math.hypot(force, pull))
         swing = max(1, math.floor((omega * (fallen - t0) - lead) / math.pi + 0.5))
     checked = False
@@ -283,7 +285,7 @@ def sticking_end(
             break
         swing += 1
         if not soft and not checked:
-            # the cap is above the amplitude from here on until it has fallen
+            # Sticking 2: the cap is above the amplitude from here on until it has fallen
             checked = True
             fallen = contact.duration - cap_fall_time(contact, math.hypot(force, pull))
             last = math.floor((omega * (fallen - t0) - lead) / math.pi + 0.5)
@@ -310,7 +312,7 @@ def sticking_end(
 
 @compiled
 def sticking_end_while_falling(
-    contact: Contact, omega: float, left: float, force: float, speed: float
+    contact: Viscoelastic, omega: float, left: float, force: float, speed: float
 ) -> tuple[float, float]:
     """Return q at the next cap, on the other side, and the velocity κu/ω towards it there.
 

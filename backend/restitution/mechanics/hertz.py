@@ -8,7 +8,7 @@ the time since the start or the time left: √x/q and (1 − |ẋ|)/q⁵ are ana
 end of the contact loses a digit. 1 − |ẋ| is computed as it stands, never as a difference.
 """
 
-import math
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -29,6 +29,22 @@ MAXIMUM_COMPRESSION = 1.25**0.4
 
 MAXIMUM_FORCE = 1.25**0.6
 """x_max^{3/2} = (5/4)^{3/5}."""
+
+
+class Instant(NamedTuple):
+    """The normal motion at one instant, in the units of the contact."""
+
+    falling: bool
+    """Whether it is in the half of the contact in which the normal force falls."""
+    root: float
+    """√x."""
+    cap: float
+    """The normal force over √x."""
+    loss: float
+    """What sliding has taken from the surface velocity until then; takes from then on, if
+    `falling`."""
+    passed: float
+    """Time since the start; to the end, if `falling`."""
 
 
 @compiled
@@ -78,42 +94,3 @@ def normal_motion(q: float) -> tuple[float, float]:
     loss = loss * w - 0.034285714285714112
     loss = loss * w + 0.4
     return q * root, w * loss
-
-
-@compiled
-def _normal_curves(time: FloatArray, curves: FloatArray) -> None:
-    """Fill the rows x, ẋ, x^{3/2} of `curves` (3, N) at the times `time` (N,)."""
-    for i in range(time.size):
-        rising = time[i] <= HALF_CONTACT
-        root, loss = normal_motion(math.sqrt(time[i] if rising else CONTACT_DURATION - time[i]))
-        curves[0, i] = root * root
-        curves[1, i] = 1.0 - loss if rising else loss - 1.0
-        curves[2, i] = root * root * root
-
-
-def normal_curves(time: npt.ArrayLike) -> FloatArray:
-    """Return compression, its rate and the normal force during a contact.
-
-    Parameters
-    ----------
-    time : array_like, shape (...)
-        Time since the first touch, scaled by t_scale; 0 … `CONTACT_DURATION`.
-
-    Returns
-    -------
-    ndarray, shape (3, ...)
-        x, ẋ and x^{3/2}, scaled by ξ_scale, g_n and m_eff ξ_scale / t_scale².
-
-    Examples
-    --------
-    >>> x, rate, force = normal_curves(HALF_CONTACT)
-    >>> bool(abs(x - MAXIMUM_COMPRESSION) < 1e-15), bool(abs(rate) < 1e-15)
-    (True, True)
-    """
-    moments = np.asarray(time, dtype=np.float64)
-    flat = np.ascontiguousarray(moments.ravel())
-    if not np.all((flat >= 0) & (flat <= CONTACT_DURATION)):
-        raise AssertionError("a contact lasts from 0 to CONTACT_DURATION")
-    curves = np.empty((3, flat.size))
-    _normal_curves(flat, curves)
-    return curves.reshape(3, *moments.shape)

@@ -8,9 +8,9 @@ from collections.abc import Callable
 import numpy as np
 import numpy.typing as npt
 
-from restitution.mechanics.collision import sharp_stiff_bound as _sharp_stiff_bound
-from restitution.mechanics.collision import stiff_bound as _stiff_bound
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.elastic import sharp_stiff_bound as _sharp_stiff_bound
+from restitution.mechanics.elastic import stiff_bound as _stiff_bound
 from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
 from restitution.mechanics.switching import slip_extremum, slip_reach
 

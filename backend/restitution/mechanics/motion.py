@@ -12,23 +12,19 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError, ParameterError
-from restitution.mechanics.collision import (
-    EPISODE,
-    MOST_SWITCHES,
-    WEAKEST,
+from restitution.mechanics.collision import EPISODE, MOST_SWITCHES, follow
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.contact import (
+    Contact,
+    at_place,
+    at_time,
+    contact_duration,
+    contact_of,
     expected_switches,
-    follow,
     rounding_bound,
 )
-from restitution.mechanics.compiled import compiled
-from restitution.mechanics.damped import (
-    STRONGEST,
-    damped_rounding_bound,
-    expected_damped_switches,
-)
-from restitution.mechanics.damped_curves import damped_episodes, damped_tangential_curves
-from restitution.mechanics.hertz import CONTACT_DURATION, HALF_CONTACT, FloatArray, normal_motion
-from restitution.mechanics.viscoelastic import contact_duration, normal_contact
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.scaled_velocity import WEAKEST
 
 
 @dataclass(frozen=True)
@@ -38,7 +34,7 @@ class Motion:
     Attributes
     ----------
     kappa, psi, damping : float
-        Parameters; ψ at least `collision.WEAKEST`.
+        Parameters; ψ at least `WEAKEST`.
     episodes : ndarray of `EPISODE`, shape (switches + 1,)
         Beginning of each episode.
     start : ndarray, shape (switches + 1,)
@@ -97,10 +93,67 @@ class TangentialCurves(NamedTuple):
 
 
 @compiled
-def _caps(episodes: npt.NDArray[np.void], force: FloatArray) -> None:
-    for j in range(force.size):
-        root, _ = normal_motion(episodes[j]["q"])
-        force[j] = root * root * root
+def _normal_curves(contact: Contact, time: FloatArray, curves: FloatArray) -> None:
+    """Fill the rows x, ẋ, P of `curves` (3, N) at the times `time` (N,)."""
+    for i in range(time.size):
+        now = at_time(contact, time[i])
+        curves[0, i] = now.root * now.root / contact.unit
+        curves[1, i] = contact.last_rate + now.loss if now.falling else 1.0 - now.loss
+        curves[2, i] = now.root * now.cap * contact.unit
+
+
+def normal_curves(time: npt.ArrayLike, damping: float = 0.0) -> FloatArray:
+    """Return compression, its rate and the normal force during a contact.
+
+    Parameters
+    ----------
+    time : array_like, shape (...)
+        Time since the first touch, scaled by t_scale; 0 … t_c.
+    damping : float, optional
+        η.
+
+    Returns
+    -------
+    ndarray, shape (3, ...)
+        x, ẋ and F_n, scaled by ξ_scale, g_n and m_eff ξ_scale / t_scale².
+
+    Examples
+    --------
+    >>> x, rate, _ = normal_curves(0.5 * contact_duration(0.0))
+    >>> bool(abs(x - 1.25**0.4) < 1e-15), bool(abs(rate) < 1e-15)
+    (True, True)
+    """
+    contact = contact_of(damping)
+    moments = np.asarray(time, dtype=np.float64)
+    flat = np.ascontiguousarray(moments.ravel())
+    if not np.all((flat >= 0) & (flat <= contact.duration / contact.unit)):
+        raise AssertionError("a contact lasts from 0 to its duration")
+    curves = np.empty((3, flat.size))
+    _normal_curves(contact, flat, curves)
+    return curves.reshape(3, *moments.shape)
+
+
+@compiled
+def _foresee(contact: Contact, kappa: float, psi: float) -> tuple[float, float]:
+    """Return `expected_switches` and `rounding_bound`."""
+    return expected_switches(contact, kappa, psi), rounding_bound(contact, kappa, psi)
+
+
+@compiled
+def _follow(
+    contact: Contact,
+    kappa: float,
+    psi: float,
+    episodes: npt.NDArray[np.void],
+    passed: FloatArray,
+    force: FloatArray,
+) -> tuple[float, int, bool]:
+    """Return what `follow` does; fill `passed` and the cap `force` at the episodes' beginnings."""
+    epsilon_t, switches, certain = follow(contact, kappa, psi, episodes)
+    for j in range(min(switches + 1, episodes.size)):
+        begin = at_place(contact, episodes[j]["falling"], episodes[j]["q"])
+        passed[j], force[j] = begin.passed, begin.root * begin.cap * contact.unit
+    return epsilon_t, switches, certain
 
 
 def motion(
@@ -132,35 +185,34 @@ def motion(
     for name, value in (("kappa", kappa), ("psi", psi)):
         if not 0.0 < value < math.inf:
             raise ParameterError(name, value, "positive and finite")
-    kappa, psi = float(kappa), max(float(psi), WEAKEST)
-    if damping:
-        contact = normal_contact(damping)
-        psi = min(psi, STRONGEST)
-        expected = expected_damped_switches(contact, kappa, psi)
-        bound, impulse = damped_rounding_bound(contact, kappa, psi), contact.impulse
-    else:
-        expected, bound, impulse = expected_switches(kappa, psi), rounding_bound(kappa, psi), 2.0
-    if expected > most_switches or (bound >= 1.0 and psi < impulse):
+    contact = contact_of(damping)
+    kappa, psi = float(kappa), min(max(float(psi), WEAKEST), contact.strongest)
+    expected, bound = _foresee(contact, kappa, psi)
+    if expected > most_switches or (bound >= 1.0 and psi < contact.impulse):
         raise CostError(
             f"kappa = {kappa:g} needs about {expected:.2g} switches, more than the "
             f"{most_switches:.6g} that are followed"
         )
     room = int(expected) + 2
-    if damping:
-        episodes, start, force, epsilon_t, certain = damped_episodes(kappa, psi, damping, room)
-        return Motion(kappa, psi, damping, episodes, start, force, epsilon_t, bool(certain), bound)
     while True:
-        episodes = np.zeros(room, dtype=EPISODE)
-        epsilon_t, switches, certain = follow(kappa, psi, episodes)
+        episodes, passed, force = np.zeros(room, EPISODE), np.empty(room), np.empty(room)
+        epsilon_t, switches, certain = _follow(contact, kappa, psi, episodes, passed, force)
         if switches < room:
             break
         room = switches + 1
-    episodes = episodes[: switches + 1]
-    square = episodes["q"] ** 2
-    start = np.where(episodes["decompressing"], CONTACT_DURATION - square, square)
-    force = np.empty(start.size)
-    _caps(episodes, force)
-    return Motion(kappa, psi, 0.0, episodes, start, force, epsilon_t, bool(certain), bound)
+    episodes, passed = episodes[: switches + 1], passed[: switches + 1]
+    start = np.where(episodes["falling"], contact.duration - passed, passed) / contact.unit
+    return Motion(
+        kappa,
+        psi,
+        damping,
+        episodes,
+        start,
+        force[: switches + 1],
+        epsilon_t,
+        bool(certain),
+        bound,
+    )
 
 
 @compiled
@@ -181,6 +233,7 @@ def instants(duration: float, samples: int, switch_times: FloatArray) -> FloatAr
 
 @compiled
 def _tangential_curves(
+    contact: Contact,
     kappa: float,
     psi: float,
     episodes: npt.NDArray[np.void],
@@ -195,33 +248,31 @@ def _tangential_curves(
     for i in range(time.size):
         while j + 1 < start.size and time[i] >= start[j + 1]:
             j += 1
-            q0, side = episodes[j]["q"], float(episodes[j]["side"])
-            root0, loss0 = normal_motion(q0)
-            u0, rising0 = episodes[j]["velocity"], not episodes[j]["decompressing"]
-            p0 = side * root0 * root0 * root0
-        rising = time[i] <= HALF_CONTACT
-        square = time[i] if rising else max(0.0, CONTACT_DURATION - time[i])
-        root, loss = normal_motion(math.sqrt(square))
-        cap = root * root * root
+            begin = at_place(contact, episodes[j]["falling"], episodes[j]["q"])
+            u0, side = episodes[j]["velocity"], float(episodes[j]["side"])
+            p0 = side * (begin.root * begin.cap * contact.unit)
+        now = at_time(contact, time[i])
+        cap = now.cap * (now.root * contact.unit)
         if episodes[j]["sliding"]:
-            if rising != rising0:
-                gain = loss + loss0 - 2.0
+            if now.falling != begin.falling:
+                gain = now.loss + begin.loss - contact.impulse
             else:
-                gain = loss0 - loss if rising else loss - loss0
+                gain = now.loss - begin.loss if now.falling else begin.loss - now.loss
             curves[0, i] = (u0 + side * gain) / psi
             curves[1, i] = side * cap / kappa / psi
             curves[2, i] = side * cap
             regime[i] = episodes[j]["side"]
         else:
-            if rising != rising0:
-                elapsed = time[i] - start[j]
+            if now.falling != begin.falling:
+                elapsed = contact.duration - now.passed - begin.passed
             else:
-                elapsed = square - q0 * q0 if rising else q0 * q0 - square
-            sine, cosine = math.sin(omega * elapsed), math.cos(omega * elapsed)
-            force = p0 * cosine + omega * u0 * sine
+                elapsed = begin.passed - now.passed if now.falling else now.passed - begin.passed
+            phase = omega * elapsed / contact.unit
+            sine, cosine = math.sin(phase), math.cos(phase)
+            pull = p0 * cosine + omega * u0 * sine
             curves[0, i] = (u0 * cosine - p0 / omega * sine) / psi
             curves[1, i] = (p0 / kappa * cosine + u0 / omega * sine) / psi
-            curves[2, i] = math.copysign(min(abs(force), cap), force)
+            curves[2, i] = math.copysign(min(abs(pull), cap), pull)
             regime[i] = 0
 
 
@@ -230,17 +281,10 @@ def tangential_curves(collision: Motion, time: FloatArray) -> TangentialCurves:
 
     An instant of a switch belongs to the episode that begins there.
     """
-    if collision.damping:
-        curves, regime = damped_tangential_curves(
-            collision.damping,
-            (collision.kappa, collision.psi),
-            (collision.episodes, collision.start, collision.force),
-            time,
-        )
-        return TangentialCurves(curves[0], curves[1], curves[2], regime)
     curves = np.empty((3, time.size))
     regime = np.empty(time.size, np.int8)
     _tangential_curves(
+        contact_of(collision.damping),
         collision.kappa,
         collision.psi,
         collision.episodes,

@@ -11,6 +11,12 @@ from restitution.mechanics.hertz import FloatArray
 SMALLEST = 5e-324
 """The smallest positive double."""
 
+WEAKEST = 1e-100
+"""ψ below which ε_t, the switches and u/ψ no longer depend on it, to double precision.
+
+The difference to the limit ψ → 0 is of order (ψκ^{5/4})^{2/3}: below 1e-16 for κ < 1e60. Raising
+a smaller ψ to this one keeps every intermediate quantity clear of underflow."""
+
 
 @compiled
 def psi_of(mu_over_alpha: float, gt_over_gn: float) -> float:

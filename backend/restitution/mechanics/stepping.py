@@ -11,10 +11,11 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from restitution.mechanics.collision import PART, WEAKEST, in_parts
+from restitution.mechanics.collision import PART, in_parts
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.viscoelastic import contact_duration
+from restitution.mechanics.scaled_velocity import WEAKEST
 
 INTEGRATORS: dict[str, tuple[float, float, float]] = {
     "velocity_verlet": (0.5, 0.5, 0.0),

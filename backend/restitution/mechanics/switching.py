@@ -19,6 +19,7 @@ search"; with r = κ x^{3/2} + d²(x^{3/2})/dt²:
 """
 
 import math
+from typing import NamedTuple
 
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import (
@@ -48,6 +49,22 @@ MOST_NEWTON_STEPS, MOST_STEPS = 40, 500
 """Halving from 1 to `NEGLIGIBLE` and on to the last digit takes 386 of the difference."""
 
 SLIDING_TO_THE_END, COMPRESSING, DECOMPRESSING = 0, 1, 2
+
+NOWHERE = -1.0
+"""Stands for a time that there is not."""
+
+
+class Spring(NamedTuple):
+    """The spring of one collision, in the units of the contact."""
+
+    stiffness: float
+    """κ."""
+    omega: float
+    """√κ, its frequency."""
+    bend_begin: float
+    """Time from which on a damped cap curves away from it in mid-contact, or `NOWHERE`."""
+    bend_end: float
+    """Time until which it does."""
 
 
 @compiled
@@ -96,7 +113,7 @@ def slip_reach(kappa: float, q: float) -> float:
 
 
 @compiled
-def sliding_end(kappa: float, target: float, guess: float, high: float) -> float:
+def sliding_root(kappa: float, target: float, guess: float, high: float) -> float:
     """Return q in (0, high) where R(q) = `target`; R is monotone there."""
     if target < LINEAR:
         return min(target / 1.5, high)
@@ -120,6 +137,23 @@ def sliding_end(kappa: float, target: float, guess: float, high: float) -> float
 
 
 @compiled
+def velocity_to_stop(q: float, decompressing: bool) -> float:
+    """Return what the cap can still take from the velocity in the rest of the contact, 1 + ẋ."""
+    _, loss = normal_motion(q)
+    return loss if decompressing else 2.0 - loss
+
+
+@compiled
+def next_sliding_end(kappa: float, q: float, decompressing: bool, lacking: float) -> float:
+    """Return q where sliding ends that began at q and lacks the velocity `lacking` to go on."""
+    high = q
+    if kappa < MONOTONE_STIFFNESS:
+        extremum = slip_extremum(kappa)
+        high = min(q, extremum) if decompressing else extremum
+    return sliding_root(kappa, kappa * lacking, high, high)
+
+
+@compiled
 def first_sliding_end(kappa: float, psi: float) -> tuple[int, float, bool]:
     """Return in which half the first sliding ends, q there, and whether that is beyond doubt."""
     load = kappa * psi
@@ -136,7 +170,7 @@ def first_sliding_end(kappa: float, psi: float) -> tuple[int, float, bool]:
         return SLIDING_TO_THE_END, 0.0, certain
     target = load if compressing else kappa * (2.0 - psi)
     guess = min(target / 1.5, (2.5 * target / kappa) ** 0.2, 0.999 * high)
-    q = sliding_end(kappa, target, guess, high)
+    q = sliding_root(kappa, target, guess, high)
     return (COMPRESSING if compressing else DECOMPRESSING), q, certain
 
 
@@ -173,11 +207,12 @@ def decompression_bracket(
     fallen = cap_fall(amplitude)
     swing = round((omega * (CONTACT_DURATION - fallen * fallen - t0) - lead) / math.pi)
     if kappa >= MONOTONE_STIFFNESS:
-        # r > 0 keeps the spring within the cap during the swing in which it begins to stick
+        # Sticking 1: r > 0 keeps the spring within the cap in the swing in which it begins to stick
         swing = max(swing, 1)
     left = CONTACT_DURATION - t0 - (lead + swing * math.pi) / omega
     certain = True
     if left > 0.0:
+        # docs/model.md, "Events without search", Sticking 2: while |z| falls
         root, _ = normal_motion(math.sqrt(min(left, HALF_CONTACT)))
         if root * root * root > amplitude:
             # The extremum stays within the cap. After it the cap is met if z = 0 comes too late,
@@ -193,6 +228,7 @@ def decompression_bracket(
                     return math.sqrt(t0), high, 1 - 2 * (int(swing) & 1), certain
             swing += 1
             left -= math.pi / omega
+    # Sticking 3: while |z| grows
     side = 1 - 2 * (int(swing) & 1)
     low = math.sqrt(max(0.0, left))
     if omega * CONTACT_DURATION < 0.5 * math.pi:
@@ -230,7 +266,7 @@ def sticking_end_after_compression(
     lead = math.atan2(v0, p0)
     decompressing = True
     if kappa < MONOTONE_STIFFNESS and amplitude >= MAXIMUM_FORCE:
-        # The cap is below the amplitude throughout, so it is met before the first extremum.
+        # Sticking 5: the cap is below the amplitude throughout, met before the first extremum
         side, certain = 1, True
         peak = t0 + lead / omega
         middle = omega * (HALF_CONTACT - t0)

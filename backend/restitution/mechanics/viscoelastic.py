@@ -1,100 +1,142 @@
-"""The damped Hertz contact: what one η makes of the normal motion.
+"""The contact with damping: its normal motion, its events, and what bounds ε_t.
 
-Eq. 1 with A > 0, scaled as in `hertz`: ẍ + x^{3/2} + η √x ẋ = 0 with x(0) = 0, ẋ(0) = 1 and
-η = (3/2) A β^{2/5} g_n^{1/5}. The contact ends when the *force* is zero, x + ηẋ = 0 with ẋ < 0
-(delayed recovery of the shape). An older convention ends it at x = 0, which lets the spheres
-attract each other at last: ε_n is smaller, by (4/15) ε_n^{3/2} η^{5/2} for weak damping, and t_c
-longer, by η. At η = .1 they are .89215 and 3.25729 then, not .89286 and 3.15726; at η = 1 .3312
-and 3.828, not .3939 and 2.752.
+The events are those of `damped_sliding` and `damped_sticking`. Parameters are κ and ψ as in
+`elastic`, the contact without damping, and η = (3/2) A β^{2/5} g_n^{1/5}.
 """
 
-import functools
+import math
 
-from restitution.errors import ParameterError
-from restitution.mechanics.damped_normal_motion import (
-    MOST_STEPS,
-    Contact,
-    damped_motion,
-    prepare,
-    rate_at,
-)
-from restitution.mechanics.hertz import CONTACT_DURATION, MAXIMUM_COMPRESSION, MAXIMUM_FORCE
+from restitution.mechanics import damped_sliding, damped_sticking
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.damped_normal_motion import Viscoelastic, damped_motion
+from restitution.mechanics.elastic import NO_LESS
+from restitution.mechanics.hertz import Instant
+from restitution.mechanics.scaled_velocity import WEAKEST
+from restitution.mechanics.switching import ROUNDING, Spring
 
-MOST_DAMPING = 1e30
-"""Largest η that is followed: from 1e10 on less than 1e-16 of the velocity is left (ε_n)."""
+SOFTEST = 1e-290
+"""κ below which, in the units of the contact, the spring takes nothing from the velocity."""
 
-HALVINGS = 60
-"""Of the bracket of the largest compression, where it is flat anyway."""
+FEW = 200.0
+"""Switches that are not worth a closer estimate."""
 
-
-@functools.lru_cache(maxsize=64)
-def _kept(damping: float) -> Contact:
-    contact = prepare(damping, MOST_STEPS)
-    if contact.rising == 0:
-        raise ArithmeticError(f"the end of the contact was not found for damping = {damping!r}")
-    return contact
+STIFFEST = 1e100
+"""κ above which, in the same units, only collisions are followed that slide but for the start."""
 
 
-def normal_contact(damping: float) -> Contact:
-    """Return the normal motion of one η, prepared in less than 1 ms of CPU and kept.
+@compiled
+def scaled_stiffness(contact: Viscoelastic, kappa: float) -> float:
+    """Return κ in the units of the contact, kept clear of overflow and underflow."""
+    return min(max(kappa / contact.unit / contact.unit, SOFTEST), STIFFEST)
 
-    Raises
-    ------
-    ParameterError
-        Unless 0 < η ≤ `MOST_DAMPING`.
 
-    Examples
-    --------
-    >>> round(-normal_contact(0.1).last_rate, 8)
-    0.89285888
+@compiled
+def expected_switches(contact: Viscoelastic, kappa: float, psi: float) -> float:
+    """Return about how many switches a collision has, rather too many than too few.
+
+    They crowd between the end of the contact and the earlier of two instants: when the cap has
+    fallen to the spring's amplitude, and when the first sliding can have ended.
     """
-    if not 0.0 < damping <= MOST_DAMPING:
-        requirement = f"> 0 and at most {MOST_DAMPING:g}, up to which the contact is followed"
-        raise ParameterError("damping", damping, requirement)
-    return _kept(float(damping))
-
-
-def normal_restitution(damping: float) -> float:
-    """Return ε_n, the coefficient of normal restitution; 1 for η = 0."""
-    return -normal_contact(damping).last_rate if damping else 1.0
-
-
-def contact_duration(damping: float) -> float:
-    """Return t_c of one η ≥ 0, scaled by t_scale."""
-    if not damping:
-        return CONTACT_DURATION
-    contact = normal_contact(damping)
-    return contact.duration / contact.unit
-
-
-def largest_force(damping: float) -> float:
-    """Return the largest normal force of one η ≥ 0, scaled."""
-    if not damping:
-        return MAXIMUM_FORCE
-    contact = normal_contact(damping)
-    return contact.peak * contact.unit
-
-
-def largest_compression(damping: float) -> float:
-    """Return the largest compression of one η ≥ 0, scaled.
-
-    It comes after the largest force: damping takes from the force what the spheres slow down.
-
-    Examples
-    --------
-    >>> round(largest_compression(0.0), 6), round(largest_compression(0.1), 6)
-    (1.093362, 1.045597)
-    """
-    if not damping:
-        return MAXIMUM_COMPRESSION
-    contact = normal_contact(damping)
+    if psi >= contact.impulse or psi == 0.0:
+        return 5.0
+    omega = math.sqrt(scaled_stiffness(contact, kappa))
+    most: float = 5.0 + 2.0 * omega * contact.duration / math.pi
+    if most < FEW:
+        return most
+    fallen = damped_sticking.cap_fall_time(contact, max(psi, WEAKEST) * omega)
+    lacking = contact.impulse - psi
     low, high = 0.0, contact.falling_end
-    for _ in range(HALVINGS):
+    for _ in range(30):
         middle = 0.5 * (low + high)
-        _, _, loss, _ = damped_motion(contact, True, middle)
-        if rate_at(contact, True, loss) < 0.0:
+        if damped_motion(contact, True, middle)[2] < lacking:
             low = middle
         else:
             high = middle
-    root, _, _, _ = damped_motion(contact, True, high)
-    return root * root / contact.unit
+    slowed = damped_motion(contact, True, high)[3]
+    return 5.0 + 2.0 * omega * min(fallen, slowed) / math.pi
+
+
+@compiled
+def energy_bound(contact: Viscoelastic, kappa: float, psi: float) -> float:
+    """Return min(1, P_max/(ψ√κ)) ≥ |ε_t|, for ψ < 1 + ε_n.
+
+    Proven where the cap never curves away from the spring but at the start; 1 elsewhere.
+    """
+    stiffness = scaled_stiffness(contact, kappa)
+    if contact.ridge >= 0.0 and stiffness < contact.ridge_value:
+        return 1.0
+    return max(NO_LESS, min(1.0, contact.peak / math.sqrt(stiffness) / psi))
+
+
+@compiled
+def rounding_bound(contact: Viscoelastic, kappa: float, psi: float) -> float:
+    """Return a bound on the rounding error of ε_t, for the same reasons as without damping.
+
+    The factor is that of `elastic.rounding_bound`, twenty times the largest error seen in
+    tests/validation/damped.csv.
+    """
+    omega = math.sqrt(scaled_stiffness(contact, kappa))
+    swing = omega * contact.duration * min(1.0, contact.peak / omega / psi)
+    return 4e-15 * (1.0 + swing)
+
+
+@compiled
+def spring_in(contact: Viscoelastic, kappa: float) -> Spring:
+    """Return the spring of a stiffness κ as in the API."""
+    stiffness = scaled_stiffness(contact, kappa)
+    begin, end = damped_sliding.outrun(contact, stiffness)
+    return Spring(stiffness, math.sqrt(stiffness), begin, end)
+
+
+@compiled
+def sticking_end(
+    contact: Viscoelastic, spring: Spring, falling: bool, q: float, velocity: float
+) -> tuple[bool, float, int, float, bool]:
+    """Return half, q, side, velocity towards that side and certainty of the next sliding.
+
+    Sticking began at q with the given velocity; both sides are 1 where it began.
+    """
+    kappa, omega, bend_begin, bend_end = spring
+    if q == 0.0 and not falling:
+        # docs/model.md, "Events with damping", Sticking 4: from the touch on
+        falling, q, side, pull, certain = damped_sticking.sticking_end(
+            contact, kappa, 0.0, 0.0, omega * velocity, bend_begin, bend_end
+        )
+        return falling, q, side, pull / omega, certain and kappa > SOFTEST
+    root, cap, _, time = damped_motion(contact, falling, q)
+    force = root * cap
+    if falling and contact.duration - time >= bend_end:
+        # Sticking 3: on the other side
+        side, certain = -1, True
+        q, pull = damped_sticking.sticking_end_while_falling(
+            contact, omega, time, force, omega * abs(velocity)
+        )
+    else:
+        # Sticking 1 and 2, or as long as r changes its sign each stretch by itself
+        start = contact.duration - time if falling else time
+        falling, q, side, pull, certain = damped_sticking.sticking_end(
+            contact, kappa, start, force, omega * velocity, bend_begin, bend_end
+        )
+    towards = pull / omega
+    # the velocity of a swing is known to the rounding of its phase, times its amplitude
+    _, _, loss, _ = damped_motion(contact, falling, q)
+    lacking = (loss if falling else contact.impulse - loss) - towards
+    rounding = 8.0 * ROUNDING * (1.0 + omega * contact.duration)
+    swing = math.hypot(force / omega, velocity)
+    certain = certain and abs(lacking - contact.last_slope / kappa) > rounding * swing
+    return falling, q, side, towards, certain
+
+
+@compiled
+def at_place(contact: Viscoelastic, falling: bool, q: float) -> Instant:
+    """Return the normal motion at q in one of the halves."""
+    root, cap, loss, passed = damped_motion(contact, falling, q)
+    return Instant(falling, root, cap, loss, passed)
+
+
+@compiled
+def at_time(contact: Viscoelastic, time: float) -> Instant:
+    """Return the normal motion at a time scaled by t_scale."""
+    falling, q = damped_sliding.at_time(contact, time * contact.unit)
+    root, cap, loss, passed = damped_motion(contact, falling, q)
+    return Instant(falling, root, cap, loss, passed)

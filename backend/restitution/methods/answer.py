@@ -10,8 +10,8 @@ from typing_extensions import TypeAliasType
 
 from restitution.bounds import Meaning, closed
 from restitution.errors import ParameterError
+from restitution.mechanics.contact import MOST_DAMPING
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.quantities import QUANTITIES
 
 # with a name of its own in documents: generators of clients make a class of it

@@ -2,9 +2,9 @@
 
 import numpy as np
 
+from restitution.mechanics.contact import normal_restitution
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import coulomb_restitution
-from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods.answer import Answer, Options
 from restitution.methods.measured import measured
 

@@ -10,7 +10,6 @@ from restitution.mechanics.collision import (
     collide,
     expected_switch_counts,
 )
-from restitution.mechanics.damped import collide_damped, expected_damped_switch_counts
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.answer import Answer, Options
 
@@ -25,7 +24,7 @@ DEARER_BY_DAMPING = 4.0
 
 def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     """Return about how many seconds of one core it takes to follow collisions (N,)."""
-    expected = expected_counts(kappa, psi, damping)
+    expected = expected_switch_counts(kappa, psi, damping)
     switches = float(np.sum(expected[expected <= MOST_SWITCHES]))
     return SECONDS_FOR_A_SWITCH * switches * (DEARER_BY_DAMPING if damping else 1.0)
 
@@ -50,29 +49,15 @@ def switch_limit(expected: FloatArray, most: float = MOST_SWITCHES_PER_REQUEST) 
     return float(ascending[fitting - 1]) if fitting else 0.0
 
 
-def expected_counts(kappa: FloatArray, psi: FloatArray, damping: float) -> FloatArray:
-    """Return about how many switches collisions (N,) have, rather too many than too few."""
-    if damping:
-        return expected_damped_switch_counts(kappa, psi, damping)
-    return expected_switch_counts(kappa, psi)
-
-
-def follow(kappa: FloatArray, psi: FloatArray, damping: float, most_switches: float) -> Collision:
-    """Return the exact results of collisions (N,) that have no more expected switches than that."""
-    if damping:
-        return collide_damped(kappa, psi, damping, most_switches)
-    return collide(kappa, psi, most_switches)
-
-
 def follow_affordable(
     kappa: FloatArray, psi: FloatArray, damping: float, share: float = 1.0
 ) -> Collision:
     """Return the exact results of collisions (N,), 0 within a bound for those beyond the budget.
 
-    Without damping that is the stiff limit, with it `damped.damped_bound`.
+    Without damping that is the sharp stiff limit, with it `viscoelastic.energy_bound`.
     """
-    affordable = switch_limit(expected_counts(kappa, psi, damping), budget(damping, share))
-    return follow(kappa, psi, damping, affordable)
+    affordable = switch_limit(expected_switch_counts(kappa, psi, damping), budget(damping, share))
+    return collide(kappa, psi, damping, affordable)
 
 
 def known(result: Collision) -> FloatArray:
@@ -92,7 +77,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     CostError
         If the collisions are too many or too stiff.
     """
-    expected = expected_counts(kappa, psi, options.damping)
+    expected = expected_switch_counts(kappa, psi, options.damping)
     most = budget(options.damping, options.share)
     affordable = switch_limit(expected, most)
     if np.any(expected > affordable):
@@ -102,7 +87,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
             f"{most:,.0f} and {MOST_SWITCHES:,}. Ask for fewer or softer "
             "collisions, or for method=auto"
         )
-    result = follow(kappa, psi, options.damping, affordable)
+    result = collide(kappa, psi, options.damping, affordable)
     lost = result.switches == TOO_STIFF
     if np.any(lost):
         raise CostError(

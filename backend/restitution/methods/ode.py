@@ -13,11 +13,11 @@ import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.interruption import pause
-from restitution.mechanics.collision import WEAKEST
+from restitution.mechanics.collision import expected_switch_counts
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.viscoelastic import contact_duration
+from restitution.mechanics.scaled_velocity import WEAKEST
 from restitution.methods.answer import Answer, Options
-from restitution.methods.exact import expected_counts
 from restitution.methods.measured import measured
 
 MOST_STEPS = 60_000
@@ -234,7 +234,9 @@ def expected_steps(
     swings = 2.0 * contact_duration(damping) * np.sqrt(kappa)
     # the order of the method is 8
     finer = max(1.0, 1e-9 / rtol) ** 0.125
-    expected: FloatArray = finer * (40.0 + 8.0 * expected_counts(kappa, psi, damping) + swings)
+    expected: FloatArray = finer * (
+        40.0 + 8.0 * expected_switch_counts(kappa, psi, damping) + swings
+    )
     return expected
 
 

@@ -11,8 +11,9 @@ from restitution.mechanics.collision import (
     MOST_SWITCHES,
     TOO_STIFF,
     Collision,
-    expected_switches,
+    collide,
 )
+from restitution.mechanics.contact import ELASTIC, expected_switches
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_limit
 from restitution.methods import coulomb, exact, ode, stiff, table, timestep
@@ -95,7 +96,7 @@ def _named(found: Collision, options: Options) -> Answer:
 def _cheapest_damped(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return ε_t of damped collisions (N,): 0 where energy bounds it so, else followed."""
     # the limit of 0 switches leaves to be followed what slides from its first swing on
-    found = exact.follow(kappa, psi, options.damping, 0.0)
+    found = collide(kappa, psi, options.damping, 0.0)
     needed = np.flatnonzero(found.error_bound > options.tolerance)
     fine = exact.follow_affordable(kappa[needed], psi[needed], options.damping, options.share)
     columns: tuple[npt.NDArray[Any], ...] = found
@@ -137,7 +138,8 @@ def is_quick(kappa: float, psi: float, options: Options) -> bool:
     """
     if options.method in {"table", "ode"}:
         return False
-    switches = expected_switches(kappa, psi)
+    # about as many with damping, whose contact would have to be prepared first
+    switches = expected_switches(ELASTIC, kappa, psi)
     switches = switches if switches <= MOST_SWITCHES else 0.0
     steps = options.steps if options.method == "timestep" else 0
     dearer = exact.DEARER_BY_DAMPING if options.damping else 1.0

@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from restitution.mechanics.contact import contact_duration, normal_restitution
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.motion import tangential_curves
-from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (
     KAPPA,

@@ -5,8 +5,8 @@ import math
 import numpy as np
 
 from restitution.mechanics.collision import collide
+from restitution.mechanics.contact import normal_restitution
 from restitution.mechanics.limits import sliding_threshold
-from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.paper.figures import FASTEST, FIGURE_6, counts_at, first_stop
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (

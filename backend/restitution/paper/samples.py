@@ -9,9 +9,8 @@ import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import Collision, collide
-from restitution.mechanics.damped_curves import damped_normal_curves
-from restitution.mechanics.hertz import FloatArray, normal_curves
-from restitution.mechanics.motion import Motion, motion, tangential_curves
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.motion import Motion, motion, normal_curves, tangential_curves
 from restitution.mechanics.stepping import INTEGRATORS, tangential_step
 from restitution.methods.ode import integrate
 from restitution.studies.collision.presets import SOLID
@@ -89,7 +88,7 @@ def motions(damping: float = 0.0, count: int = 60) -> tuple[Motion, ...]:
 
 def normal(damping: float, time: FloatArray) -> FloatArray:
     """Return x, ẋ and the normal force (3, N) at `time` (N,)."""
-    return damped_normal_curves(damping, time) if damping else normal_curves(time)
+    return normal_curves(time, damping)
 
 
 def slope(

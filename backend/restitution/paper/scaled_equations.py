@@ -11,10 +11,9 @@ from restitution.mechanics.hertz import (
     MAXIMUM_COMPRESSION,
     MAXIMUM_FORCE,
     FloatArray,
-    normal_curves,
 )
 from restitution.mechanics.limits import stiff_estimate
-from restitution.mechanics.motion import motion, reversals, tangential_curves
+from restitution.mechanics.motion import motion, normal_curves, reversals, tangential_curves
 from restitution.mechanics.switching import MONOTONE_STIFFNESS
 from restitution.paper.equations import equation
 from restitution.paper.item import Item, judged, number, scene, shown

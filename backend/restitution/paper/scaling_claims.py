@@ -5,10 +5,9 @@ import functools
 import numpy as np
 
 from restitution.mechanics.collision import collide
-from restitution.mechanics.damped import collide_damped
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.limits import coulomb_restitution
-from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.exact import known
 from restitution.paper.figures import FASTEST, SAME, steel_surface
 from restitution.paper.item import Item, judged, number, scene, shown
@@ -87,7 +86,7 @@ def _damped_sample(eta: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     random = np.random.default_rng(SEED)
     kappas = 10.0 ** random.uniform(-0.3, 2.6, 1000)
     psis = 10.0 ** random.uniform(-1.7, 0.34, 1000)
-    damped, free = collide_damped(kappas, psis, eta), collide(kappas, psis)
+    damped, free = collide(kappas, psis, eta), collide(kappas, psis)
     return damped.switches, known(damped), free.epsilon_t
 
 

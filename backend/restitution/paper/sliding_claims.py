@@ -3,10 +3,9 @@
 import numpy as np
 
 from restitution.mechanics.collision import collide
-from restitution.mechanics.damped import collide_damped
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.limits import GEAR_WHEEL_STIFFNESS, coulomb_restitution
 from restitution.mechanics.motion import motion, tangential_curves
-from restitution.mechanics.viscoelastic import contact_duration
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (
     KAPPA,
@@ -131,7 +130,7 @@ def independent_of_force_law() -> Item:
     off = []
     for eta in etas:
         law = float(coulomb_restitution(3.0, float(-normal(eta, _end(eta))[1, 0])))
-        off.append(abs(law - float(collide_damped(1.0, 3.0, eta).epsilon_t)))
+        off.append(abs(law - float(collide(1.0, 3.0, eta).epsilon_t)))
     return claim(
         "independent-of-force-law",
         "3",

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from restitution.mechanics.collision import collide
-from restitution.mechanics.damped import collide_damped
+from restitution.mechanics.contact import contact_duration, largest_force
 from restitution.mechanics.hertz import CONTACT_DURATION, HALF_CONTACT, MAXIMUM_FORCE, FloatArray
 from restitution.mechanics.limits import (
     FROM_TWO_ON,
@@ -15,7 +15,6 @@ from restitution.mechanics.limits import (
     stiff_estimate,
 )
 from restitution.mechanics.motion import motion, reversals
-from restitution.mechanics.viscoelastic import contact_duration, largest_force
 from restitution.paper.figures import FIGURE_6, first_stop
 from restitution.paper.item import Item, judged, number, shown
 from restitution.paper.samples import (
@@ -68,7 +67,7 @@ def upper_limit() -> Item:
         random = np.random.default_rng(SEED)
         kappas = 10.0 ** random.uniform(0.3, 2.6, 1000)
         psis = random.uniform(0.02, 1.3, 1000)
-        epsilon_t = collide_damped(kappas, psis, eta).epsilon_t
+        epsilon_t = collide(kappas, psis, eta).epsilon_t
         over = np.abs(epsilon_t) * psis * np.sqrt(kappas) / largest_force(eta)
         damped = max(damped, float(over.max()))
     return claim(

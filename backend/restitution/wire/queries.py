@@ -10,7 +10,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic_core import PydanticCustomError, core_schema
 
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
-from restitution.mechanics.viscoelastic import MOST_DAMPING
+from restitution.mechanics.contact import MOST_DAMPING
 from restitution.methods.answer import Damping, Options
 from restitution.methods.planner import is_quick
 from restitution.studies.accuracy.scenes import SceneName

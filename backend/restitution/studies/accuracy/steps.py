@@ -6,9 +6,9 @@ from dataclasses import astuple, dataclass, fields
 import numpy as np
 
 from restitution.mechanics.collision import in_threads
+from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
-from restitution.mechanics.viscoelastic import contact_duration
 from restitution.studies.accuracy.reference import Reference, exact_reference, reference
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision.parameters import CollisionParameters

@@ -11,9 +11,9 @@ from restitution.bounds import annotations
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
+from restitution.mechanics.contact import normal_restitution
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import scaled_velocity
-from restitution.mechanics.viscoelastic import normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import Answer, Options
 from restitution.methods.exact import follow_affordable, known

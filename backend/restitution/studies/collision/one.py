@@ -13,8 +13,8 @@ from restitution.bounds import Meaning, OrNothing
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
+from restitution.mechanics.contact import contact_duration, normal_restitution
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
-from restitution.mechanics.viscoelastic import contact_duration, normal_restitution
 from restitution.methods import planner
 from restitution.methods.answer import (
     Answer,

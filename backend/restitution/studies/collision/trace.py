@@ -9,14 +9,13 @@ import numpy.typing as npt
 from restitution.bounds import values as members
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
-from restitution.mechanics.collision import WEAKEST
-from restitution.mechanics.damped_curves import damped_normal_curves
-from restitution.mechanics.hertz import FloatArray, normal_curves
-from restitution.mechanics.motion import Motion, instants, tangential_curves
+from restitution.mechanics.collision import expected_switch_counts
+from restitution.mechanics.contact import contact_duration
+from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.motion import Motion, instants, normal_curves, tangential_curves
+from restitution.mechanics.scaled_velocity import WEAKEST
 from restitution.mechanics.stepping import stepped_course
-from restitution.mechanics.viscoelastic import contact_duration
 from restitution.methods.answer import Options
-from restitution.methods.exact import expected_counts
 from restitution.studies.collision.one import CollisionStudy, followed_motion, study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
 from restitution.studies.tabular import Table, Tabular
@@ -115,7 +114,7 @@ def study_trace(
     """
     eta = parameters.damping
     one = np.array([parameters.kappa]), np.array([parameters.psi])
-    expected = float(expected_counts(*one, eta)[0])
+    expected = float(expected_switch_counts(*one, eta)[0])
     if expected > FOLLOWED_SWITCHES:
         raise _too_many(f"about {expected:.1e}")
     collision = study_collision(parameters, options, episode_limit=episode_limit)
@@ -125,7 +124,7 @@ def study_trace(
         raise _too_many(f"{switch_times.size:,}")
     time = instants(contact_duration(eta), samples, switch_times)
     wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
-    compression, rate, cap = damped_normal_curves(eta, time) if eta else normal_curves(time)
+    compression, rate, cap = normal_curves(time, eta)
     values: dict[str, FloatArray | npt.NDArray[np.int8]] = {
         "time": time,
         "compression": compression,

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from restitution.bounds import Meaning, Misfit, Words, checked
 from restitution.errors import ParameterError
-from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
-from restitution.mechanics.viscoelastic import (
+from restitution.mechanics.contact import (
     MOST_DAMPING,
     contact_duration,
     largest_compression,
     largest_force,
 )
+from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
 from restitution.methods.answer import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.spheres.bodies import Body, NotNegative, Pair, Positive, pair, two_walls

@@ -7,11 +7,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from restitution.errors import CostError
-from restitution.mechanics.collision import MOST_SWITCHES, PART, workers
+from restitution.mechanics.collision import (
+    MOST_SWITCHES,
+    PART,
+    collide,
+    expected_switch_counts,
+    workers,
+)
+from restitution.mechanics.contact import contact_of
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import sliding_threshold
-from restitution.mechanics.viscoelastic import normal_contact
-from restitution.methods.exact import DEARER_BY_DAMPING, cost, expected_counts, follow
+from restitution.methods.exact import DEARER_BY_DAMPING, cost
 from restitution.studies.collision.axis import Axis
 from restitution.studies.tables.grid import DIGITS, SAMPLED, Nodes, Sign, TableGrid, between
 from restitution.studies.tabular import Table, Tabular
@@ -194,7 +200,7 @@ def refuse_stiff(nodes: Nodes) -> None:
     _, psis, kappas = nodes.values
     # they are most for the largest κ
     kappa = np.full(psis.shape, kappas[-1])
-    counts = [expected_counts(kappa, psis, eta) for eta in _few_dampings(nodes)]
+    counts = [expected_switch_counts(kappa, psis, eta) for eta in _few_dampings(nodes)]
     if any(np.any(count > MOST_SWITCHES) for count in counts):
         raise CostError(
             f"some collisions of this table have more than {MOST_SWITCHES:,} switches, the "
@@ -289,13 +295,12 @@ def _exact(nodes: Nodes, threads: ThreadPoolExecutor | None) -> tuple[FloatArray
         # no more at a time than `collide` leaves to the calling thread
         def fill(part: slice, flat: FloatArray = flat, eta: float = eta) -> float:
             row, column = np.divmod(np.arange(part.start, part.stop), kappas.size)
-            found = follow(kappas[column], psis[row], eta, MOST_SWITCHES)
+            found = collide(kappas[column], psis[row], eta)
             flat[part] = found.epsilon_t
             return float(found.error_bound.max())
 
-        if eta:
-            # kept, or else every thread would prepare it
-            normal_contact(eta)
+        # kept, or else every thread would prepare it
+        contact_of(eta)
         parts = [slice(i, min(i + PART, flat.size)) for i in range(0, flat.size, PART)]
         bounds = threads.map(fill, parts) if threads else map(fill, parts)
         bound = max(bound, *bounds)

@@ -7,8 +7,8 @@ import numpy as np
 
 from restitution.errors import require
 from restitution.mechanics.compiled import MODEL_VERSION
+from restitution.mechanics.contact import MOST_DAMPING
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.viscoelastic import MOST_DAMPING
 from restitution.studies.collision.axis import Axis
 
 Sign = Literal["paper", "reversed"]

@@ -1,0 +1,143 @@
+"""What a contact is asked, with damping or without: the answers are in `elastic`, `viscoelastic`.
+
+Eq. 1, scaled as in `hertz`: ẍ + x^{3/2} + η √x ẋ = 0 with x(0) = 0, ẋ(0) = 1 and
+η = (3/2) A β^{2/5} g_n^{1/5}. The contact ends when the *force* is zero, x + ηẋ = 0 with ẋ < 0
+(delayed recovery of the shape). An older convention ends it at x = 0, which lets the spheres
+attract each other at last: ε_n is smaller, by (4/15) ε_n^{3/2} η^{5/2} for weak damping, and t_c
+longer, by η. At η = .1 they are .89215 and 3.25729 then, not .89286 and 3.15726; at η = 1 .3312
+and 3.828, not .3939 and 2.752.
+"""
+
+import functools
+from collections.abc import Callable
+from typing import Any, Concatenate, ParamSpec, TypeVar
+
+from numba.extending import overload
+
+from restitution.errors import ParameterError
+from restitution.mechanics import damped_sliding, elastic, viscoelastic
+from restitution.mechanics.damped_normal_motion import (
+    MOST_STEPS,
+    Viscoelastic,
+    damped_motion,
+    prepare,
+    rate_at,
+)
+from restitution.mechanics.elastic import Elastic
+from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
+
+Contact = Elastic | Viscoelastic
+
+Parameters = ParamSpec("Parameters")
+Answer = TypeVar("Answer")
+
+ELASTIC = Elastic()
+
+MOST_DAMPING = 1e30
+"""Largest η that is followed: from 1e10 on less than 1e-16 of the velocity is left (ε_n)."""
+
+HALVINGS = 60
+"""Of the bracket of the largest compression, where it is flat anyway."""
+
+
+def by_contact(
+    undamped: Callable[Concatenate[Elastic, Parameters], Answer],
+    damped: Callable[Concatenate[Viscoelastic, Parameters], Answer],
+) -> Callable[Concatenate[Contact, Parameters], Answer]:
+    """Return the function that is one or the other by the type of the contact.
+
+    In kernels the choice is made when they are compiled, so that it costs nothing.
+    """
+
+    def chosen(contact: Contact, /, *rest: Parameters.args, **named: Parameters.kwargs) -> Answer:
+        if isinstance(contact, Elastic):
+            return undamped(contact, *rest, **named)
+        return damped(contact, *rest, **named)
+
+    @overload(chosen, strict=False, inline="always")
+    def choose(contact: Any, *_: Any) -> Any:
+        function: Any = undamped if contact.instance_class is Elastic else damped
+        return function.py_func
+
+    return chosen
+
+
+spring_in = by_contact(elastic.spring_in, viscoelastic.spring_in)
+sliding_end = by_contact(elastic.sliding_end, damped_sliding.sliding_end)
+sticking_end = by_contact(elastic.sticking_end, viscoelastic.sticking_end)
+expected_switches = by_contact(elastic.expected_switches, viscoelastic.expected_switches)
+rounding_bound = by_contact(elastic.rounding_bound, viscoelastic.rounding_bound)
+energy_bound = by_contact(elastic.energy_bound, viscoelastic.energy_bound)
+at_place = by_contact(elastic.at_place, viscoelastic.at_place)
+at_time = by_contact(elastic.at_time, viscoelastic.at_time)
+
+
+@functools.lru_cache(maxsize=64)
+def _kept(damping: float) -> Viscoelastic:
+    contact = prepare(damping, MOST_STEPS)
+    if contact.rising == 0:
+        raise ArithmeticError(f"the end of the contact was not found for damping = {damping!r}")
+    return contact
+
+
+def contact_of(damping: float) -> Contact:
+    """Return the contact of one η ≥ 0, prepared in less than 1 ms of CPU and kept.
+
+    Raises
+    ------
+    ParameterError
+        Unless 0 ≤ η ≤ `MOST_DAMPING`.
+
+    Examples
+    --------
+    >>> round(-contact_of(0.1).last_rate, 8)
+    0.89285888
+    """
+    if damping == 0.0:
+        return ELASTIC
+    if not 0.0 < damping <= MOST_DAMPING:
+        requirement = f"from 0 to {MOST_DAMPING:g}, up to which the contact is followed"
+        raise ParameterError("damping", damping, requirement)
+    return _kept(float(damping))
+
+
+def normal_restitution(damping: float) -> float:
+    """Return ε_n, the coefficient of normal restitution; 1 for η = 0."""
+    return -contact_of(damping).last_rate
+
+
+def contact_duration(damping: float) -> float:
+    """Return t_c of one η ≥ 0, scaled by t_scale."""
+    contact = contact_of(damping)
+    return contact.duration / contact.unit
+
+
+def largest_force(damping: float) -> float:
+    """Return the largest normal force of one η ≥ 0, scaled."""
+    contact = contact_of(damping)
+    return contact.peak * contact.unit
+
+
+def largest_compression(damping: float) -> float:
+    """Return the largest compression of one η ≥ 0, scaled.
+
+    It comes after the largest force: damping takes from the force what the spheres slow down.
+
+    Examples
+    --------
+    >>> round(largest_compression(0.0), 6), round(largest_compression(0.1), 6)
+    (1.093362, 1.045597)
+    """
+    contact = contact_of(damping)
+    if isinstance(contact, Elastic):
+        return MAXIMUM_COMPRESSION
+    low, high = 0.0, contact.falling_end
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        _, _, loss, _ = damped_motion(contact, True, middle)
+        if rate_at(contact, True, loss) < 0.0:
+            low = middle
+        else:
+            high = middle
+    root, _, _, _ = damped_motion(contact, True, high)
+    return root * root / contact.unit
