@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from restitution.mechanics.compiled import MODEL_VERSION
 
 RUN = """
@@ -80,3 +82,40 @@ def test_kernels_missing_in_a_read_only_folder_are_compiled_into_the_other(tmp_p
     folder = run(tmp_path / "a", tmp_path / "b", tmp_path / "a", "x86-64")
     assert files(folder)
     assert files(original) == kept
+
+
+ANSWERS = """
+import hashlib
+
+import numpy as np
+
+from restitution.mechanics.collision import collide
+from restitution.mechanics.compiled import CACHE_FOLDER
+from restitution.mechanics.contact import contact_of
+from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.trace import study_trace
+
+rng = np.random.default_rng(2008)
+kappa, psi = np.exp(rng.uniform(np.log([0.02, 1e-4]), np.log([1e4, 4]), (3000, 2))).T.copy()
+found = [contact_of(0.1).pieces]
+for damping in (0.0, 1e-6, 0.1, 3.0):
+    found.append(collide(kappa, psi, damping).epsilon_t)
+    found += study_trace(CollisionParameters(63.0, 1.4, 1.358, damping)).columns.values()
+print(hashlib.sha256(b"".join(np.ascontiguousarray(each).tobytes() for each in found)).hexdigest())
+"""
+
+
+@pytest.mark.verify
+def test_a_process_that_compiles_answers_as_one_that_loads(tmp_path):
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    answers = {
+        subprocess.run(
+            [sys.executable, "-c", ANSWERS],
+            env=environment,
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout
+        for _ in ("compiled", "loaded")
+    }
+    assert len(answers) == 1

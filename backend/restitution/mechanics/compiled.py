@@ -74,8 +74,27 @@ def compiled(function: Function) -> Function:
     Multiplications and additions may be fused: it only removes roundings. Division by zero gives
     an infinity as in numpy, for the extremes of the parameters rely on it.
     """
+    return _compiled(function, always_inline=False)
+
+
+def inlined(function: Function) -> Function:
+    """Compile `function` into each that calls it.
+
+    What is called keeps a name in the machine code of its caller, and the first of that name in a
+    process stands for all: where one was compiled by itself and one along with its caller, sums may
+    be fused differently. A process that compiles would then answer with other last bits than one
+    that loads what was compiled.
+    """
+    return _compiled(function, always_inline=True)
+
+
+def _compiled(function: Function, *, always_inline: bool) -> Function:
     compiler: Any = numba.njit(
-        cache=bool(CACHE_FOLDER), nogil=True, error_model="numpy", fastmath={"contract"}
+        cache=bool(CACHE_FOLDER),
+        nogil=True,
+        error_model="numpy",
+        fastmath={"contract"},
+        forceinline=always_inline,
     )
     result: Function = compiler(function)
     return result

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from restitution.mechanics.compiled import compiled
+from restitution.mechanics.compiled import compiled, inlined
 from restitution.mechanics.hertz import FloatArray
 
 STEP = 0.125
@@ -77,7 +77,7 @@ class Viscoelastic(NamedTuple):
     """ψ above which the collision is followed as one of this ψ."""
 
 
-@compiled
+@inlined
 def expand(
     a: float, b: float, sense: float, root: float, rate: float, cap: float, series: FloatArray
 ) -> None:
