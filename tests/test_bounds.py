@@ -1,6 +1,11 @@
 """Bounds said once: what Python's own classes refuse, and the words for it."""
 
+import json
 import math
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
 from typing import Annotated, Literal, get_args
 
 import numpy as np
@@ -9,11 +14,16 @@ from annotated_types import Ge, Gt, Le
 
 import restitution as rs
 from restitution.bounds import Words, annotations, interval, plain, requirement
+from restitution.errors import ParameterError
 from restitution.mechanics.stepping import INTEGRATORS
-from restitution.methods.answer import AnsweringMethod, Integrator, Method, Options
+from restitution.methods.answer import AnsweringMethod
+from restitution.methods.options import Integrator, Method, Options
 from restitution.methods.planner import METHODS
 from restitution.studies.accuracy.scenes import SCENES, SceneName
+from restitution.studies.collision.parameters import CollisionParameters
 from restitution.wire.answers import MixedMethod
+
+ROOT = Path(__file__).parents[1]
 
 STEEL = {
     "radius_m": 0.02,
@@ -123,3 +133,50 @@ def test_words_in_types_are_those_of_the_code():
 def test_what_is_worked_out_is_no_option():
     assert "share" not in annotations(Options)
     assert Options().beside_others(0.1, 0.5).share == 0.5
+
+
+BOUNDS_OF_THE_PAGE = """
+import { KNOBS } from "./frontend/state/accuracy.js";
+import { PARAMETERS } from "./frontend/state/parameters.js";
+const values = JSON.parse(process.argv[1]);
+const found = [...Object.values(KNOBS), ...PARAMETERS].map(({ key, initial, admits }) => [
+  key,
+  { initial, admitted: values.filter(admits) },
+]);
+console.log(JSON.stringify(Object.fromEntries(found)));
+"""
+
+
+def test_page_admits_what_the_service_does():
+    ends = (1e-13, 0.1, 1.0, 4.0, 1e6, 1e30, 1e300)
+    beside = (math.nextafter(end, to) for end in ends for to in (-math.inf, math.inf))
+    values = sorted({*ends, *beside, -1.0, -5e-324, 0.0, 5e-324, 3.0, 4.5, 5.0, 1e6 + 1})
+    done = subprocess.run(
+        [
+            Path(sys.executable).with_name("node"),
+            "--input-type=module",
+            "--eval",
+            BOUNDS_OF_THE_PAGE,
+            json.dumps(values),
+        ],
+        capture_output=True,
+        text=True,
+        check=True,
+        cwd=ROOT,
+    )
+    page = json.loads(done.stdout)
+    usual = CollisionParameters(kappa=1.0, mu_over_alpha=1.0, gt_over_gn=1.0)
+    for name, of in page.items():
+        one = usual if name in annotations(CollisionParameters) else Options()
+
+        def is_admitted(value, name=name, one=one):
+            # the page has no whole numbers beside others
+            whole = int(value) if name == "steps" and value.is_integer() else value
+            try:
+                return bool(replace(one, **{name: whole}))
+            except ParameterError:
+                return False
+
+        assert of["admitted"] == [value for value in values if is_admitted(value)], name
+        if one is not usual:
+            assert of["initial"] == getattr(one, name)

@@ -20,7 +20,7 @@ through all of it is docs/python-walk.md.
 """
 
 from restitution.errors import CostError, ParameterError, RestitutionError
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.public.collisions import (
     collision,
     collisions,

@@ -801,29 +801,56 @@ export interface components {
          * @description The parameters as understood, defaults filled in.
          */
         Parameters: {
-            /** Kappa */
+            /**
+             * Kappa
+             * @description κ of Eq. 24, with α in it
+             */
             kappa: number;
-            /** Mu Over Alpha */
+            /**
+             * Mu Over Alpha
+             * @description μ/α
+             */
             mu_over_alpha: number;
-            /** Gt Over Gn */
+            /**
+             * Gt Over Gn
+             * @description g_t/g_n
+             */
             gt_over_gn: number;
-            /** Damping */
+            /**
+             * Damping
+             * @description η = (3/2) A β^{2/5} g_n^{1/5}
+             */
             damping: number;
-            /** Tolerance */
+            /**
+             * Tolerance
+             * @description largest absolute error wanted in ε_t
+             */
             tolerance: number;
             method: components["schemas"]["Method"];
-            /** Steps */
+            /**
+             * Steps
+             * @description steps per contact of `timestep`
+             */
             steps: number;
             /**
              * Integrator
              * @enum {string}
              */
             integrator: "velocity_verlet" | "symplectic_euler" | "forward_euler";
-            /** Phase */
+            /**
+             * Phase
+             * @description where in a step of `timestep` the contact begins
+             */
             phase: number;
-            /** Rtol */
+            /**
+             * Rtol
+             * @description relative tolerance of `ode`
+             */
             rtol: number;
-            /** Floor */
+            /**
+             * Floor
+             * @description ε₀ of `pragmatic`
+             */
             floor: number;
             /**
              * Psi

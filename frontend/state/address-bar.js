@@ -23,6 +23,8 @@ export function createAddressBar(onReturn) {
   addEventListener("popstate", () => {
     clearTimeout(timer);
     settled = location.search;
+    // What was returned to stays in the history, however soon something is changed.
+    settledAt = -ONE_STEP;
     const { state, problems } = readAddress(settled);
     page = pageOf(state);
     onReturn(state, problems);

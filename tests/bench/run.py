@@ -23,7 +23,7 @@ from solver import solve_with_events
 
 from restitution.mechanics import collision, contact, damped_normal_motion
 from restitution.methods import planner, table
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.grid import study_grid
 from restitution.studies.collision.parameters import CollisionParameters

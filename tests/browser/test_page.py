@@ -137,6 +137,20 @@ def test_the_address_holds_the_state_and_back_returns_to_it(explorer, server):
     assert collision_of(explorer) == first
 
 
+def test_what_back_returned_to_is_kept_by_a_change_at_once(explorer, server):
+    presets = explorer.get_by_test_id("presets")
+    first = collision_of(explorer)
+    presets.locator("[data-preset='figure-6']").click()
+    # as a hand that changes its mind: back, and on to another one
+    explorer.evaluate("() => history.back()")
+    explorer.wait_for_function("() => !location.search.includes('kappa=100')")
+    presets.locator("[data-preset='gear-wheel']").click()
+    settle(explorer, server)
+    explorer.go_back()
+    settle(explorer, server)
+    assert collision_of(explorer) == first
+
+
 @pytest.mark.parametrize(
     "address",
     [

@@ -7,7 +7,7 @@ from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.mechanics.contact import contact_duration, normal_restitution
 from restitution.methods import exact, planner
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 
 KAPPA = np.array([18.0, 63.0, 5.0, 200.0, 0.8, 1.4])
 PSI = np.array([0.2142857143, 1.0, 0.5, 0.3, 0.5, 1.7])

@@ -7,7 +7,7 @@ from restitution.errors import CostError
 from restitution.mechanics.collision import collide
 from restitution.mechanics.limits import weak_limit
 from restitution.methods import ode
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 
 
 def solve(kappa, psi, **options):

@@ -6,7 +6,7 @@ import pytest
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import MOST_SWITCHES, collide, expected_switch_counts
 from restitution.methods import exact, planner, table
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from work import counted
 
 

@@ -10,7 +10,7 @@ from restitution.mechanics.collision import collide
 from restitution.mechanics.limits import FROM_TWO_ON, sliding_threshold, weak_limit
 from restitution.mechanics.patches import FLOOR, SPAN, UNDIVIDED
 from restitution.methods import table
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 
 LOWEST, HIGHEST = np.array([table.KAPPA_RANGE, table.PSI_RANGE]).T
 

@@ -6,7 +6,7 @@ import pytest
 from restitution.errors import CostError
 from restitution.mechanics.collision import collide
 from restitution.methods import timestep
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 
 
 def solve(kappa, psi, **options):

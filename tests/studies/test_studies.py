@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import restitution
 from restitution.errors import CostError, ParameterError
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.cut import study_cut
 from restitution.studies.collision.grid import study_grid

@@ -6,7 +6,7 @@ from scipy.interpolate import interpn
 
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import study_batch
 from restitution.studies.tables.export import study_table, study_table_within

@@ -236,6 +236,10 @@ def test_stored_measurement_has_the_shape_of_the_contract(scene):
     kept = load_tradeoff()[scene]
     assert {"scene", "measured_at", "machine", "model_version", "rows"} <= kept.keys()
     assert kept["scene"] == scene
+    # a method that is new is measured with the next `make tradeoff`
+    assert {row["method"] for row in kept["rows"]} >= {
+        each.method for each in candidates(damped=scene == "damped")
+    }
     for row in kept["rows"]:
         assert row.keys() >= ROW
         assert (row["error_max"] is None) is (row["unanswered"] == 1.0)

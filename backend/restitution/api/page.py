@@ -101,9 +101,6 @@ def _version(state: State) -> str:
     return digest.hexdigest()[:16]
 
 
-PART = re.compile(r"<!-- (\S+\.html) -->")
-
-
 @lru_cache(maxsize=2)
 def _versioned_page(directory: Path, state: State) -> str:
     """Return the page with addresses that change with the files, and its modules announced."""

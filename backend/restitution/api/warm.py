@@ -1,6 +1,6 @@
 """Compile or load the kernels before the first request needs them."""
 
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.methods.planner import is_quick
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import QUANTITIES, study_batch

@@ -5,8 +5,9 @@ import numpy as np
 from restitution.mechanics.contact import normal_restitution
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import coulomb_restitution
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
 from restitution.methods.measured import measured
+from restitution.methods.options import Options
 
 
 def law(psi: FloatArray, options: Options) -> FloatArray:

@@ -11,7 +11,8 @@ from restitution.mechanics.collision import (
     expected_switch_counts,
 )
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
+from restitution.methods.options import Options
 
 MOST_SWITCHES_PER_REQUEST = 20_000_000
 """About four seconds of one core."""

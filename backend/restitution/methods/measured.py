@@ -5,7 +5,8 @@ import numpy.typing as npt
 
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods import exact
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
+from restitution.methods.options import Options
 
 
 def measured(

@@ -17,8 +17,9 @@ from restitution.mechanics.collision import expected_switch_counts
 from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import WEAKEST
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
 from restitution.methods.measured import measured
+from restitution.methods.options import Options
 
 MOST_STEPS = 60_000
 """Expected steps of one request: two seconds of one core."""

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from restitution.errors import ParameterError
 from restitution.mechanics.collision import (
     MOST_SWITCHES,
     TOO_STIFF,
@@ -17,7 +16,8 @@ from restitution.mechanics.contact import ELASTIC, expected_switches
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_limit
 from restitution.methods import coulomb, exact, ode, stiff, table, timestep
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
+from restitution.methods.options import Options
 
 METHODS: dict[str, Callable[[FloatArray, FloatArray, Options], Answer]] = {
     "exact": exact.solve,
@@ -56,17 +56,12 @@ def solve(
 
     Raises
     ------
-    ParameterError
-        If there is no such method.
     CostError
         If a method asked for by name would cost too much. ``auto`` is never refused: what is too
         stiff to be followed gets the stiff limit with its bound, or with damping, for which the
         limit and the table are not made, Coulomb's 0 with the bound by energy.
     """
     if options.method != "auto":
-        if options.method not in METHODS:
-            allowed = f"one of auto, {', '.join(METHODS)}"
-            raise ParameterError("method", options.method, allowed)
         return METHODS[options.method](kappa, psi, options)
     if is_exact(quantities, options):
         return _named(exact.follow_affordable(kappa, psi, options.damping, options.share), options)

@@ -4,7 +4,8 @@ import numpy as np
 
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_bound, stiff_limit
-from restitution.methods.answer import Answer, Options, refuse_damping
+from restitution.methods.answer import Answer
+from restitution.methods.options import Options, refuse_damping
 
 
 def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:

@@ -25,7 +25,8 @@ from restitution.mechanics.patches import (
     psi_at,
     undivided,
 )
-from restitution.methods.answer import Answer, Options, refuse_damping
+from restitution.methods.answer import Answer
+from restitution.methods.options import Options, refuse_damping
 
 KAPPA_RANGE = (1e-2, 1e3)
 PSI_RANGE = (1e-3, 1e3)

@@ -3,8 +3,9 @@
 from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import step_collisions
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
 from restitution.methods.measured import measured
+from restitution.methods.options import Options
 
 MOST_STEPS = 4_000_000_000
 """Steps of one request: a second or two of one core, at 0.3 ns for a step of one of many."""

@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import ParameterError
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.cut import CutStudy, study_cut
 from restitution.studies.collision.grid import GridStudy, study_grid

@@ -13,26 +13,20 @@ from pydantic import Field
 from typing_extensions import TypeAliasType, TypedDict
 
 from restitution.bounds import annotations
-from restitution.methods.answer import (
-    AnsweringMethod,
-    Integrator,
-    Method,
-)
+from restitution.methods.answer import AnsweringMethod
+from restitution.methods.options import OneMethod, Options
 from restitution.paper import Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
 from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
 from restitution.studies.collision.one import CollisionStudy
-from restitution.studies.collision.parameters import Convention
+from restitution.studies.collision.parameters import CollisionParameters, Convention
 from restitution.studies.collision.presets import Preset
 from restitution.studies.spheres import materials
 from restitution.studies.spheres.collision import ScalingStudy
 from restitution.studies.spheres.contact import Contact
 
-MixedMethod = TypeAliasType(
-    "MixedMethod",
-    Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep", "ode", "mixed"],
-)
+MixedMethod = TypeAliasType("MixedMethod", Literal[OneMethod, "mixed"])
 
 
 class TypedArray(TypedDict):
@@ -51,29 +45,36 @@ SomeGrid = list[list[float | None]] | TypedArray
 CountGrid = list[list[int | None]] | TypedArray
 
 
-class Parameters(TypedDict):
-    """The parameters as understood, defaults filled in."""
+def _described(name: str, text: str, *members: Mapping[str, Any]) -> Any:
+    """Return the description of an answer whose members are those of several classes."""
+    joined = dict(itertools.chain(*(each.items() for each in members)))
+    # no class statement joins members of dataclasses and dictionaries
+    described = TypedDict(name, joined)  # type: ignore[misc]
+    described.__doc__ = text
+    return described
 
-    kappa: float
-    mu_over_alpha: float
-    gt_over_gn: float
-    damping: float
-    tolerance: float
-    method: Method
-    steps: int
-    integrator: Integrator
-    phase: float
-    rtol: float
-    floor: float
+
+class Understood(TypedDict):
+    """What is not given, but follows."""
+
     psi: Annotated[float | None, Field(description="(α/μ)(g_t/g_n), null where it is infinite")]
     samples: NotRequired[int]
+
+
+Parameters = _described(
+    "Parameters",
+    """The parameters as understood, defaults filled in.""",
+    annotations(CollisionParameters),
+    annotations(Options),
+    get_type_hints(Understood, include_extras=True),
+)
 
 
 @dataclass(frozen=True)
 class Collision(CollisionStudy):
     """One collision; null where the method that answered cannot give a quantity."""
 
-    parameters: Parameters  # type: ignore[assignment] # with the options of the request
+    parameters: Parameters  # type: ignore[valid-type] # with the options of the request
 
 
 class Columns(TypedDict):
@@ -92,15 +93,6 @@ class Columns(TypedDict):
     method_time: NotRequired[Numbers]
     method_tangential_force_over_mu: NotRequired[SomeNumbers]
     method_tangential_velocity: NotRequired[SomeNumbers]
-
-
-def _described(name: str, text: str, *members: Mapping[str, Any]) -> Any:
-    """Return the description of an answer whose members are those of several classes."""
-    joined = dict(itertools.chain(*(each.items() for each in members)))
-    # no class statement joins members of dataclasses and dictionaries
-    described = TypedDict(name, joined)  # type: ignore[misc]
-    described.__doc__ = text
-    return described
 
 
 Trace = _described(

@@ -12,7 +12,7 @@ from typing_extensions import TypedDict
 from restitution.bounds import Misfit, Words, annotations, as_float, closed, plain, said
 from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.answer import Damping, Options, Tolerance
+from restitution.methods.options import Damping, Options, Tolerance
 from restitution.studies.collision.axis import Axis, Scale
 from restitution.studies.collision.many import LISTED, QUANTITIES, BatchQuantity, ListedQuantity
 from restitution.studies.collision.parameters import GtOverGn, Kappa, MuOverAlpha

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError, core_schema
 
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
 from restitution.mechanics.contact import MOST_DAMPING
-from restitution.methods.answer import Damping, Options
+from restitution.methods.options import Damping, Options
 from restitution.methods.planner import is_quick
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision import many, one, trace

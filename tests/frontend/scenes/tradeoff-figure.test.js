@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { errorMapFigure } from "../../../frontend/scenes/accuracy/error-map-figure.js";
 import { seriesOf, tradeoffFigure } from "../../../frontend/scenes/accuracy/tradeoff-figure.js";
 import { tradeoffTable } from "../../../frontend/scenes/accuracy/tables.js";
+import { INTEGRATORS, METHODS } from "../../../frontend/state/accuracy.js";
 import { horizontalAxis, mapView } from "../../../frontend/state/map-view.js";
 import { SIZE, THEME } from "../fixtures.js";
 
@@ -26,6 +27,13 @@ const ROWS = [
   row("ode", { rtol: 1e-3, spring: "free" }),
   row("table", {}, { microseconds_per_collision: null, error_p95: null }),
 ];
+
+test("seriesOf has a series for every method of the page", () => {
+  for (const { id } of METHODS) {
+    const options = id === "timestep" ? { integrator: INTEGRATORS[0].id, steps: 50 } : {};
+    assert.equal(seriesOf([row(id, options)]).length, 1, id);
+  }
+});
 
 test("seriesOf puts each row into one series and leaves out series without rows", () => {
   const series = seriesOf(ROWS);

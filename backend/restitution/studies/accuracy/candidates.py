@@ -3,7 +3,7 @@
 import itertools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
@@ -11,7 +11,10 @@ import numpy.typing as npt
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
 from restitution.methods import coulomb, ode, planner
-from restitution.methods.answer import Answer, Options
+from restitution.methods.options import Options
+
+if TYPE_CHECKING:
+    from restitution.methods.answer import Answer
 
 COLLISIONS = 16_000
 """Of a scene, where a method takes microseconds: a map's, for which `auto` reads the table."""

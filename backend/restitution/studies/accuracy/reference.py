@@ -7,7 +7,7 @@ import numpy.typing as npt
 
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods import planner
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.accuracy.scenes import SCENES, SceneName
 from restitution.studies.collision.dampings import by_damping
 

@@ -4,7 +4,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy, study_batch
 from restitution.studies.collision.parameters import CONVENTION

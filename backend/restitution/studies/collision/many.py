@@ -15,8 +15,9 @@ from restitution.mechanics.contact import normal_restitution
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import scaled_velocity
 from restitution.methods import planner
-from restitution.methods.answer import Answer, Options
+from restitution.methods.answer import Answer
 from restitution.methods.exact import follow_affordable, known
+from restitution.methods.options import Options
 from restitution.studies.collision.dampings import by_damping
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, check
 from restitution.studies.tabular import Table, Tabular

@@ -16,14 +16,8 @@ from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.contact import contact_duration, normal_restitution
 from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
 from restitution.methods import planner
-from restitution.methods.answer import (
-    Answer,
-    AnsweringMethod,
-    EpsilonT,
-    ErrorBound,
-    Options,
-    ToleranceMet,
-)
+from restitution.methods.answer import Answer, AnsweringMethod, EpsilonT, ErrorBound, ToleranceMet
+from restitution.methods.options import Options
 from restitution.quantities import QUANTITIES as QUANTITY
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.collision.summary import summarise

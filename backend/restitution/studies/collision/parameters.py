@@ -9,7 +9,7 @@ from restitution.bounds import Meaning, annotations, checked, interval, requirem
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import psi_of
-from restitution.methods.answer import Damping
+from restitution.methods.options import Damping
 from restitution.quantities import QUANTITIES
 
 Kappa = Annotated[float, Gt(0), QUANTITIES["kappa"]]

@@ -15,7 +15,7 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.motion import Motion, instants, normal_curves, tangential_curves
 from restitution.mechanics.scaled_velocity import WEAKEST
 from restitution.mechanics.stepping import stepped_course
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.one import CollisionStudy, followed_motion, study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
 from restitution.studies.tabular import Table, Tabular

@@ -5,13 +5,8 @@ from dataclasses import dataclass
 from typing import Annotated
 
 from restitution.bounds import Meaning
-from restitution.methods.answer import (
-    AnsweringMethod,
-    EpsilonT,
-    ErrorBound,
-    Options,
-    ToleranceMet,
-)
+from restitution.methods.answer import AnsweringMethod, EpsilonT, ErrorBound, ToleranceMet
+from restitution.methods.options import Options
 from restitution.studies.collision.one import study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio

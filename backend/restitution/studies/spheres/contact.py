@@ -15,7 +15,7 @@ from restitution.mechanics.contact import (
     largest_force,
 )
 from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.spheres.bodies import Body, NotNegative, Pair, Positive, pair, two_walls
 from restitution.studies.spheres.impact import made_impact

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.answer import Options
+from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy, study_batch
 from restitution.studies.collision.parameters import CONVENTION
