@@ -1874,6 +1874,16 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
+        /** @description The query is longer than 8,192 bytes. */
+        TooLong: {
+            headers: {
+                "Cache-Control": components["headers"]["NoStore"];
+                [name: string]: unknown;
+            };
+            content: {
+                "application/problem+json": components["schemas"]["Problem"];
+            };
+        };
         /** @description The body is not `application/json`. */
         NotJson: {
             headers: {
@@ -2006,6 +2016,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2080,6 +2091,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2160,6 +2172,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2242,6 +2255,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2293,6 +2307,7 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2356,6 +2371,7 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2432,6 +2448,7 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2462,6 +2479,7 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2532,6 +2550,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2573,6 +2592,7 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2630,6 +2650,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2659,6 +2680,7 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             409: components["responses"]["UnderWay"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2686,6 +2708,7 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             404: components["responses"]["UnknownRun"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2713,6 +2736,7 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             404: components["responses"]["UnknownRun"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2749,6 +2773,7 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2778,6 +2803,7 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
+            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };

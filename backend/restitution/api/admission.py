@@ -21,6 +21,10 @@ RETRY_AFTER = 1
 """Seconds after which a refused client may ask again; the lines are empty long before."""
 
 
+MOST_HELD = 100 * 2**20
+"""Bytes of bodies that are held together: two of the largest, and many small ones."""
+
+
 class SaturatedError(Exception):
     """More requests are under way than can be answered in time."""
 
@@ -43,10 +47,20 @@ class Admission:
 
     def __init__(self, most_quick: int, most_long: int, most_waiting: int) -> None:
         self._most_quick, self._most_admitted = most_quick, most_long + most_waiting
-        self._quick = self._admitted = 0
+        self._quick = self._admitted = self._held = 0
         # Its threads take the next computation themselves. A limiter on the event loop would hand
         # each over in a turn of the loop, which under load takes as long as a line of quick ones.
         self._threads = ThreadPoolExecutor(most_long, "computing")
+
+    def hold(self, size: int) -> None:
+        """Count `size` bytes of a body as held; `SaturatedError` if there are too many."""
+        if self._held + size > MOST_HELD:
+            raise _saturated()
+        self._held += size
+
+    def release(self, size: int) -> None:
+        """Count `size` bytes as held no longer."""
+        self._held -= size
 
     async def quickly(self, work: Callable[[], Answer]) -> Answer:
         """Return what `work` gives, computed here: a thread would cost as much as the work."""

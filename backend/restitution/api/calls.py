@@ -9,7 +9,8 @@ import functools
 import hashlib
 import itertools
 import time
-from collections.abc import Callable, Coroutine, Iterator, Mapping
+from collections.abc import AsyncIterator, Callable, Coroutine, Iterator, Mapping
+from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -26,6 +27,7 @@ from restitution.api.transport import known_tag
 from restitution.bounds import values
 from restitution.mechanics.compiled import fingerprint
 from restitution.wire.formats import Result, formed
+from restitution.wire.parsing import refuse_costly
 from restitution.wire.queries import FormQuery
 from restitution.wire.reading import read_object, read_query
 
@@ -34,8 +36,14 @@ PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
 
 LARGEST_BODY = 2 * 2**20
 
+MOST_ELEMENTS = 10_000
+"""In a body of one collision or map; those of the dearest have some fifty."""
+
 LONGEST_UPLOAD = 60.0
 """Seconds until a body must be there: 40 MiB at 6 Mbit/s."""
+
+LONGEST_QUERY = 8192
+"""Bytes, as nginx allows for a whole address; the longest of ours has some 600."""
 
 Asked = TypeVar("Asked")
 Compute = Callable[[Asked], Result]
@@ -134,6 +142,7 @@ class Calls(APIRouter):
         *,
         example: Mapping[str, Any],
         largest: int = LARGEST_BODY,
+        most_elements: int = MOST_ELEMENTS,
         read: Callable[[bytes], Asked] | None = None,
     ) -> Callable[[Compute[Asked]], Compute[Asked]]:
         """Declare a POST of JSON of at most `largest` bytes; `read` where it has a reader."""
@@ -142,15 +151,16 @@ class Calls(APIRouter):
         def declare(compute: Compute[Asked]) -> Compute[Asked]:
             async def endpoint(request: Request) -> Response:
                 form = parameters(request, FormQuery)
-                text = await _body(request, largest)
-                work = functools.partial(
-                    _computed,
-                    request,
-                    form,
-                    lambda: compute(reader(text)),
-                    {"Cache-Control": "no-store"},
-                )
-                return await admission_of(request).in_thread(request, work)
+                async with _body(request, largest) as text:
+                    refuse_costly(text, most_elements)
+                    work = functools.partial(
+                        _computed,
+                        request,
+                        form,
+                        lambda: compute(reader(text)),
+                        {"Cache-Control": "no-store"},
+                    )
+                    return await admission_of(request).in_thread(request, work)
 
             self.bodies.append(body)
             responses, asked = document.posted(answer), document.sent(body, example, FormQuery)
@@ -183,7 +193,17 @@ class Calls(APIRouter):
 
 
 def parameters(request: Request, query: type[Asked]) -> Asked:
-    """Return the parameters of a request; `RefusedParametersError` names all that is wrong."""
+    """Return the parameters of a request.
+
+    Raises
+    ------
+    RefusedParametersError
+        Which names all that is wrong.
+    HTTPException
+        414 for a query that nobody means; reading it would take longer than most answers.
+    """
+    if (length := len(request.scope["query_string"])) > LONGEST_QUERY:
+        raise HTTPException(414, f"a query of {length:,} bytes is longer than {LONGEST_QUERY:,}")
     return read_query(query, request.query_params.multi_items())
 
 
@@ -240,24 +260,32 @@ def _in_blocks(kind: str, blocks: Iterator[bytes], headers: Mapping[str, str]) -
     return StreamingResponse(itertools.chain(first, blocks), 200, dict(headers), kind)
 
 
-async def _body(request: Request, largest: int) -> bytes:
-    """Return the body of a request.
+@asynccontextmanager
+async def _body(request: Request, largest: int) -> AsyncIterator[bytes]:
+    """Hold the body of a request as long as it is worked on.
 
     Raises
     ------
     HTTPException
         415 for another content type, 413 for too much, 408 for one that does not come.
+    SaturatedError
+        If the bodies of others leave no room for it.
     """
+    admission = admission_of(request)
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise HTTPException(415, "the body must be application/json")
     body = bytearray()
     try:
-        async with asyncio.timeout(LONGEST_UPLOAD):
-            async for chunk in request.stream():
-                body += chunk
-                if len(body) > largest:
-                    raise HTTPException(413, f"the body is larger than {largest:,} bytes")
-    except TimeoutError as error:
-        raise HTTPException(408, f"the body took longer than {LONGEST_UPLOAD:g} s") from error
-    return bytes(body)
+        try:
+            async with asyncio.timeout(LONGEST_UPLOAD):
+                async for chunk in request.stream():
+                    admission.hold(len(chunk))
+                    body += chunk
+                    if len(body) > largest:
+                        raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+        except TimeoutError as error:
+            raise HTTPException(408, f"the body took longer than {LONGEST_UPLOAD:g} s") from error
+        yield bytes(body)
+    finally:
+        admission.release(len(body))

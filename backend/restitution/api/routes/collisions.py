@@ -11,7 +11,7 @@ from restitution.studies.collision.many import LISTED, study_batch
 from restitution.studies.collision.one import study_collision
 from restitution.studies.collision.trace import study_trace
 from restitution.wire import answers
-from restitution.wire.arrays import refuse_more_points
+from restitution.wire.arrays import MOST_ITEMS, refuse_more_points
 from restitution.wire.bodies import CollisionsBody, read_collisions
 from restitution.wire.formats import Payload, Result, flattened
 from restitution.wire.queries import (
@@ -31,6 +31,9 @@ QUICK_SAMPLES = 2000
 
 LARGEST_LIST = 40 * 2**20
 """Bytes of a million collisions."""
+
+MOST_ELEMENTS = 4 * MOST_ITEMS + 100
+"""Of four lists for each, and what else there is."""
 
 
 @calls.computed(
@@ -128,6 +131,7 @@ MANY: dict[str, Any] = {"kappa": [18, 63], "mu_over_alpha": 1.4, "gt_over_gn": [
     "Up to a million collisions",
     example=MANY,
     largest=LARGEST_LIST,
+    most_elements=MOST_ELEMENTS,
     read=read_collisions,
 )
 def collisions(body: CollisionsBody) -> Result:
