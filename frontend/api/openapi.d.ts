@@ -1874,16 +1874,6 @@ export interface components {
                 "application/problem+json": components["schemas"]["Problem"];
             };
         };
-        /** @description The query is longer than 8,192 bytes. */
-        TooLong: {
-            headers: {
-                "Cache-Control": components["headers"]["NoStore"];
-                [name: string]: unknown;
-            };
-            content: {
-                "application/problem+json": components["schemas"]["Problem"];
-            };
-        };
         /** @description The body is not `application/json`. */
         NotJson: {
             headers: {
@@ -2016,7 +2006,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2091,7 +2080,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2172,7 +2160,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2255,7 +2242,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2307,7 +2293,6 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2371,7 +2356,6 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2448,7 +2432,6 @@ export interface operations {
             400: components["responses"]["MalformedBody"];
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             415: components["responses"]["NotJson"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
@@ -2479,7 +2462,6 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2550,7 +2532,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2592,7 +2573,6 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2650,7 +2630,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2680,7 +2659,6 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             409: components["responses"]["UnderWay"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2708,7 +2686,6 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             404: components["responses"]["UnknownRun"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2736,7 +2713,6 @@ export interface operations {
             };
             403: components["responses"]["SwitchedOff"];
             404: components["responses"]["UnknownRun"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };
@@ -2773,7 +2749,6 @@ export interface operations {
             };
             304: components["responses"]["Unchanged"];
             413: components["responses"]["TooCostly"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };
@@ -2803,7 +2778,6 @@ export interface operations {
                 };
             };
             304: components["responses"]["Unchanged"];
-            414: components["responses"]["TooLong"];
             422: components["responses"]["WrongParameters"];
         };
     };

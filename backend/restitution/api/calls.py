@@ -30,6 +30,7 @@ from restitution.wire.formats import Result, formed
 from restitution.wire.parsing import refuse_costly
 from restitution.wire.queries import FormQuery
 from restitution.wire.reading import read_object, read_query
+from restitution.wire.refusals import RefusedParametersError, refusal
 
 PROGRAM_VERSION = fingerprint(Path(__file__).parents[1])
 """Changes with any source of the package, and so with any answer."""
@@ -198,12 +199,12 @@ def parameters(request: Request, query: type[Asked]) -> Asked:
     Raises
     ------
     RefusedParametersError
-        Which names all that is wrong.
-    HTTPException
-        414 for a query that nobody means; reading it would take longer than most answers.
+        Which names all that is wrong, or that the query is one that nobody means: reading it
+        would take longer than most answers.
     """
     if (length := len(request.scope["query_string"])) > LONGEST_QUERY:
-        raise HTTPException(414, f"a query of {length:,} bytes is longer than {LONGEST_QUERY:,}")
+        words = f"of at most {LONGEST_QUERY:,} bytes"
+        raise RefusedParametersError([refusal("query", f"{length:,} bytes", words)])
     return read_query(query, request.query_params.multi_items())
 
 

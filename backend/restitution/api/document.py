@@ -80,7 +80,6 @@ PROBLEMS = {
     408: ("TooSlow", "The body did not come in time."),
     409: ("UnderWay", "A measurement is under way."),
     413: ("TooCostly", "The request or its body is beyond a limit; `detail` has cost and limit."),
-    414: ("TooLong", "The query is longer than 8,192 bytes."),
     415: ("NotJson", "The body is not `application/json`."),
     422: ("WrongParameters", "Parameters are wrong; `errors` has all of them."),
     503: ("Busy", "The service is saturated, or its kernels are being compiled."),
@@ -122,13 +121,13 @@ def stored(query: type, answer: Any) -> Described:
         200: _success(answer, _contents(forms), CACHED | TIMED),
         304: {"$ref": "#/components/responses/Unchanged"},
     }
-    return found | refusals(414, 422)
+    return found | refusals(422)
 
 
 def posted(answer: Any) -> Described:
     """Return the responses of a POST whose body is JSON, in all their forms."""
     success = _success(answer, _contents(("csv", "npz")), NOT_KEPT | TIMED)
-    return {200: success} | refusals(400, 408, 413, 414, 415, 422, 503)
+    return {200: success} | refusals(400, 408, 413, 415, 422, 503)
 
 
 def told(model: Any, status: int = 200) -> Described:

@@ -25,13 +25,23 @@ STRING_OR_EDGE = re.compile(rb'"((?:[^"\\]|\\.)*)"(\s*:)?|[{}\[\]]', re.DOTALL)
 
 
 def refuse_costly(body: bytes, most_elements: int) -> None:
-    """Raise `CostError` for a body whose values would take more room than it can have use for.
+    """Refuse a body whose values would take more room than it can have use for.
 
     An empty list takes two bytes in a body and sixty in memory. Brackets and commas are counted
     wherever they stand, in texts, too: in none of ours there are many.
+
+    Raises
+    ------
+    MalformedBodyError
+        If it has too many lists and objects, side by side or in one another.
+    CostError
+        If it has too many elements.
     """
     if (count := body.count(b"[") + body.count(b"{")) > MOST_CONTAINERS:
-        raise CostError(f"{count:,} lists and objects in a body are more than {MOST_CONTAINERS:,}")
+        raise MalformedBodyError(
+            f"the body is nested too deeply, or has too many parts: {count:,} lists and objects, "
+            f"more than {MOST_CONTAINERS:,}"
+        )
     if (count := body.count(b",")) > most_elements:
         raise CostError(f"{count:,} elements in a body are more than {most_elements:,}, the limit")
 

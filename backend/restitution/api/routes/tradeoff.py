@@ -130,7 +130,7 @@ def _described(run: Run, status: int = 200) -> Response:
     summary="Measure anew",
     status_code=202,
     response_class=Response,
-    responses=document.told(answers.Run, 202) | document.refusals(403, 409, 414, 422),
+    responses=document.told(answers.Run, 202) | document.refusals(403, 409, 422),
     openapi_extra=document.asked(SceneQuery),
 )
 async def start(request: Request) -> Response:
@@ -147,7 +147,7 @@ async def start(request: Request) -> Response:
     name="run",
     summary="Progress and result",
     response_class=Response,
-    responses=document.told(answers.Run) | document.refusals(403, 404, 414, 422),
+    responses=document.told(answers.Run) | document.refusals(403, 404, 422),
 )
 async def progress(request: Request, name: RunName) -> Response:
     """Return how far a measurement is, and its result when it is done."""
@@ -160,7 +160,7 @@ async def progress(request: Request, name: RunName) -> Response:
     name="cancel_run",
     summary="Cancel",
     response_class=Response,
-    responses=document.told(answers.Run) | document.refusals(403, 404, 414, 422),
+    responses=document.told(answers.Run) | document.refusals(403, 404, 422),
 )
 async def cancel(request: Request, name: RunName) -> Response:
     """Cancel a measurement; it stops after the row that it is at."""
