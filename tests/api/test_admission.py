@@ -10,6 +10,7 @@ from restitution.interruption import InterruptionError, interruptible, pause
 from restitution.mechanics.collision import PART, collide
 from restitution.methods.ode import integrate
 from waiting import LIMIT_SECONDS, eventually
+from work import counted
 
 
 class Client:
@@ -139,3 +140,22 @@ def test_mechanics_pause_where_they_may_be_called_off(work):
         with pytest.raises(InterruptionError):
             work()
     work()
+
+
+@pytest.mark.parametrize(
+    ("parameters", "line"),
+    [
+        ({"samples": 2000}, "quick"),
+        ({"samples": 2001}, "long"),
+        ({"samples": 400, "method": "timestep", "steps": 1000}, "quick"),
+        # its steps are written as the samples are
+        ({"samples": 400, "method": "timestep", "steps": 130_000}, "long"),
+        ({"samples": 400, "steps": 130_000}, "quick"),
+    ],
+)
+def test_a_trace_of_many_instants_does_not_wait_on_the_event_loop(service, parameters, line):
+    trace = {"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358}
+    with counted() as work:
+        response = service.get("/trace", **trace, **parameters)
+    assert response.status_code == 200
+    assert work[line] == 1

@@ -9,10 +9,12 @@ from pathlib import Path
 
 import pytest
 
+import restitution as rs
 from restitution.api.admission import MOST_HELD
 from restitution.api.calls import LONGEST_QUERY
 from restitution.wire.parsing import MOST_CONTAINERS
 from servers import serving
+from work import counted
 
 MEGABYTE = 2**20
 
@@ -122,6 +124,14 @@ def _tried(server) -> int | str:
     except ConnectionError:
         # refused while it was sending
         return "cut off"
+
+
+def test_a_map_with_too_many_dampings_is_refused_before_any_is_prepared():
+    steel = rs.Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
+    contact = rs.Contact(steel, steel, 0.4, "mindlin", dissipative_constant_s=1e-6)
+    with counted() as work, pytest.raises(rs.CostError, match="10,000 different values of damping"):
+        contact.map(rs.Axis(1, 20, 10_000), rs.Axis(0, 10, 50))
+    assert work.of_numbers == 0
 
 
 def test_limits_let_everything_through_that_is_meant(server):

@@ -8,7 +8,6 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.bounds import annotations
-from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.contact import normal_restitution
@@ -18,12 +17,9 @@ from restitution.methods import planner
 from restitution.methods.answer import Answer
 from restitution.methods.exact import follow_affordable, known
 from restitution.methods.options import Options
-from restitution.studies.collision.dampings import by_damping
+from restitution.studies.collision.dampings import by_damping, refuse_more_dampings
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, check
 from restitution.studies.tabular import Table, Tabular
-
-MOST_DAMPINGS = 2000
-"""Different η > 0 in one request: at 0.05 ms each, 1.2 ms at worst, two seconds at most."""
 
 BatchQuantity = Literal[
     "epsilon_t",
@@ -148,11 +144,7 @@ def study_batch(
         found = _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
         return replace(found, given=given)
     groups = by_damping(many)
-    if len(groups) > MOST_DAMPINGS:
-        raise CostError(
-            f"{len(groups):,} different values of damping in one request are more than "
-            f"{MOST_DAMPINGS:,}, the limit: each needs a normal motion of its own"
-        )
+    refuse_more_dampings(len(groups))
     studies = [
         _study(
             kappas[part],

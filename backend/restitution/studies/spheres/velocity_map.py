@@ -8,6 +8,7 @@ import numpy as np
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.dampings import refuse_more_dampings
 from restitution.studies.collision.many import BatchStudy, study_batch
 from restitution.studies.collision.parameters import CONVENTION
 from restitution.studies.spheres.contact import (
@@ -97,9 +98,14 @@ def study_velocity_map(
     ------
     ParameterError
         If a range is empty or a quantity is beyond double precision.
+    CostError
+        If it takes too many different dampings, or following too many switches.
     """
     normal = normal_velocity.values(positive=True)
     tangential = tangential_velocity.values(positive=False)
+    if contact.dissipative_constant_s > 0.0:
+        # η goes with g_n^{1/5}; before the scales, which take ten times as long as the motions
+        refuse_more_dampings(normal.size)
     steps = [scales(contact, g_n) for g_n in normal.tolist()]
     columns = {name: np.array([getattr(at, name) for at in steps]) for name in OF_NORMAL_VELOCITY}
     friction = friction_over_alpha(contact.friction_coefficient, contact.pair.alpha)
