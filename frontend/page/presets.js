@@ -1,6 +1,7 @@
 // @ts-check
 
-import { isOf, letterOf } from "../state/presets.js";
+import { sameCollision } from "../state/parameters.js";
+import { letterOf } from "../state/presets.js";
 import { isAt } from "../state/url.js";
 import { byTestId } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
@@ -27,7 +28,7 @@ export function mountPresets(element, onChoose) {
     /** @type {Preset | null} */
     let chosen = null;
     for (const { preset, button } of choices) {
-      const isChosen = present !== null && isOf(preset, present.collision);
+      const isChosen = present !== null && sameCollision(preset, present.collision);
       chosen = isChosen ? preset : chosen;
       // This runs at every step of a drag, where most steps change nothing here.
       if (button.ariaPressed !== String(isChosen)) {

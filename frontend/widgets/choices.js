@@ -1,5 +1,7 @@
 // @ts-check
 
+import { find } from "./find.js";
+
 /**
  * Fills a fieldset with one button for each of several choices.
  * @param {HTMLElement} fieldset
@@ -18,4 +20,37 @@ export function choices(fieldset, name, items) {
       return label;
     }),
   );
+}
+
+/**
+ * Shows which of several choices are made.
+ * @param {ParentNode} root
+ * @param {Record<string, string>} made by the names of the choices
+ */
+export function choose(root, made) {
+  for (const [name, value] of Object.entries(made)) {
+    const choice = find(`[name="${name}"][value="${value}"]`, root);
+    /** @type {HTMLInputElement} */ (choice).checked = true;
+  }
+}
+
+/**
+ * Shows whether a map is flat or in depth.
+ * @param {ParentNode} root
+ * @param {"flat" | "surface"} shape
+ */
+export function chooseShape(root, shape) {
+  /** @type {HTMLInputElement} */ (find('[name="shape"]', root)).checked = shape === "surface";
+}
+
+/**
+ * Tells what is chosen in an element; its only box to tick is that of a map in depth.
+ * @param {HTMLElement} element
+ * @param {(patch: Record<string, string>) => void} onOption
+ */
+export function onChoice(element, onOption) {
+  element.addEventListener("change", (event) => {
+    const { name, type, value, checked } = /** @type {HTMLInputElement} */ (event.target);
+    onOption({ [name]: type !== "checkbox" || checked ? value : "flat" });
+  });
 }

@@ -49,6 +49,9 @@ export const MAP_AXES = {
 export function mountCrosshair(element, axes, onPlace) {
   const template = /** @type {HTMLTemplateElement} */ (find("#crosshair"));
   element.append(template.content.cloneNode(true));
+  element.tabIndex = 0;
+  element.setAttribute("role", "application");
+  element.setAttribute("aria-roledescription", "crosshair");
   const beyond = find(".beyond", element);
   layOver(element, MAP_MARGIN);
   /** @type {View | null} */

@@ -94,7 +94,7 @@ def explore(*, server: str | None = None, height: int = 720, **state: str | floa
     ...
     restitution.errors.ParameterError: kappas must be an option of the page, as kappa, got 63
     """
-    for name in state.keys() - set(STATE):
+    for name in (name for name in state if name not in STATE):
         near = difflib.get_close_matches(name, STATE)
         meant = f"as {' or '.join(near)}" if near else f"one of {', '.join(STATE)}"
         raise ParameterError(name, state[name], f"an option of the page, {meant}")

@@ -2,7 +2,7 @@
 
 import { accuracyQuery, METHODS } from "../../state/accuracy.js";
 import { REGIONS, STATISTICS } from "../../state/tradeoff-options.js";
-import { choices } from "../../widgets/choices.js";
+import { choices, choose, onChoice } from "../../widgets/choices.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createPlot } from "../../widgets/plot.js";
 import { currentTheme, onThemeChange } from "../../widgets/theme.js";
@@ -40,16 +40,16 @@ const MARKS = /** @type {Record<string, string>} */ ({
  */
 export function mountTradeoff(element, { onOption, onAccuracy }) {
   const plotElement = find(".plot", element);
-  const plot = createPlot(plotElement, tradeoffFigure, { config: TOUCHABLE, onPoint: choose });
+  const plot = createPlot(plotElement, tradeoffFigure, {
+    config: TOUCHABLE,
+    onPoint: chooseMethod,
+  });
   /** @type {{tradeoff: Tradeoff, state: PageState} | null} */
   let shown = null;
 
   choices(byTestId("region", element), "region", REGIONS);
   choices(byTestId("statistic", element), "statistic", STATISTICS);
-  element.addEventListener("change", (event) => {
-    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
-    onOption({ [name]: value });
-  });
+  onChoice(element, onOption);
 
   function drawLegend() {
     if (shown) {
@@ -64,7 +64,7 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
   onThemeChange(drawLegend);
 
   /** @param {Row | undefined} row */
-  function choose(row) {
+  function chooseMethod(row) {
     if (row && METHODS.some(({ id }) => id === row.method) && !("spring" in row.options)) {
       onAccuracy({ method: row.method, ...row.options });
     }
@@ -73,10 +73,7 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
   return {
     /** Which choices are made. @param {PageState} state */
     options({ region, statistic }) {
-      for (const [name, value] of Object.entries({ region, statistic })) {
-        const choice = find(`[name="${name}"][value="${value}"]`, element);
-        /** @type {HTMLInputElement} */ (choice).checked = true;
-      }
+      choose(element, { region, statistic });
     },
 
     /**

@@ -4,6 +4,7 @@ import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
 import { alphaInWords, typable } from "../../format/number.js";
 import { placeOnMap } from "../../state/map-view.js";
 import { SOLID_ALPHA } from "../../state/parameters.js";
+import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createMapLegend } from "../../widgets/map-legend.js";
@@ -38,11 +39,7 @@ export function mountMap(element, { onPlace, onOption }) {
     }
   }
 
-  element.addEventListener("change", (event) => {
-    const input = /** @type {HTMLInputElement} */ (event.target);
-    const isOn = input.type !== "checkbox" || input.checked;
-    onOption({ [input.name]: isOn ? input.value : "flat" });
-  });
+  onChoice(element, onOption);
 
   alphaReset.addEventListener("click", () => onOption({ alpha: SOLID_ALPHA }));
 
@@ -88,12 +85,8 @@ export function mountMap(element, { onPlace, onOption }) {
         return;
       }
       chosen = wanted;
-      for (const [name, value] of Object.entries(options)) {
-        const choice = find(`[name="${name}"][value="${value}"]`, element);
-        /** @type {HTMLInputElement} */ (choice).checked = true;
-      }
-      const inDepth = /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element));
-      inDepth.checked = shape === "surface";
+      choose(element, options);
+      chooseShape(element, shape);
       alphaReset.hidden = alpha === SOLID_ALPHA;
       find("span", alphaReset).textContent = alphaInWords(alpha);
     },

@@ -3,7 +3,7 @@
 import { brief, percentage, significant } from "../../format/number.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "../../state/paper.js";
 import { readAddress } from "../../state/url.js";
-import { choices } from "../../widgets/choices.js";
+import { choices, choose, onChoice } from "../../widgets/choices.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createPlot } from "../../widgets/plot.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -49,10 +49,7 @@ export function mountPaper({ client, present, set, explain }) {
   for (const [name, items] of Object.entries(FILTERS)) {
     choices(byTestId(name.replace("_", "-")), name, items);
   }
-  filters.addEventListener("change", (event) => {
-    const { name, value } = /** @type {HTMLInputElement} */ (event.target);
-    set({ [name]: value });
-  });
+  onChoice(filters, set);
 
   /** The state that a statement is about, in the colours and language of the reader. @param {string} link */
   function open(link) {
@@ -94,14 +91,11 @@ export function mountPaper({ client, present, set, explain }) {
   }
 
   return {
-    show(state) {
-      if (state.scene !== "paper") {
+    show({ scene, paper_verdict, paper_kind }) {
+      if (scene !== "paper") {
         return;
       }
-      for (const name of /** @type {(keyof typeof FILTERS)[]} */ (Object.keys(FILTERS))) {
-        const choice = find(`[name="${name}"][value="${state[name]}"]`, filters);
-        /** @type {HTMLInputElement} */ (choice).checked = true;
-      }
+      choose(filters, { paper_verdict, paper_kind });
       drawList();
     },
 

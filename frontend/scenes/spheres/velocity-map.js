@@ -2,6 +2,7 @@
 
 import { typable } from "../../format/number.js";
 import { clamp } from "../../state/scales.js";
+import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { mountCrosshair } from "../../widgets/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createMapLegend } from "../../widgets/map-legend.js";
@@ -53,10 +54,7 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
   /** @type {Scaling | null} */
   let settled = null;
 
-  element.addEventListener("change", (event) => {
-    const { name, type, value, checked } = /** @type {HTMLInputElement} */ (event.target);
-    onOption({ [name]: type !== "checkbox" || checked ? value : "flat" });
-  });
+  onChoice(element, onOption);
 
   function pointSurface() {
     if (shown && settled && settled.epsilon_t !== null) {
@@ -68,11 +66,9 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
 
   return {
     /** @param {PageState} state */
-    options({ velocity_law: law, shape }) {
-      const choice = find(`[name="velocity_law"][value="${law}"]`, element);
-      /** @type {HTMLInputElement} */ (choice).checked = true;
-      /** @type {HTMLInputElement} */ (find(`[name="shape"]`, element)).checked =
-        shape === "surface";
+    options({ velocity_law, shape }) {
+      choose(element, { velocity_law });
+      chooseShape(element, shape);
     },
 
     point: crosshair.point,
