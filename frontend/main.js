@@ -113,7 +113,7 @@ function changeNow() {
  */
 function show(state, previous, change) {
   shell.show(state);
-  collision.show(state);
+  collision.show(state, previous);
   scenes.forEach((scene) => scene.show(state, previous, change));
 }
 

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { collisionQuery } from "../api/queries.js";
+import { sameAccuracy } from "../state/accuracy.js";
 import { scaleFor } from "../state/map-view.js";
 import { PARAMETERS } from "../state/parameters.js";
 import { stateAt } from "../state/url.js";
@@ -34,8 +35,14 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
     preview: strip.preview,
     offer: presets.offer,
 
-    /** @param {import("../state/url.js").PageState} state */
-    show(state) {
+    /**
+     * @param {import("../state/url.js").PageState} state
+     * @param {import("../state/url.js").PageState | null} previous
+     */
+    show(state, previous) {
+      if (previous && !sameAccuracy(state.accuracy, previous.accuracy)) {
+        strip.preview(null);
+      }
       accuracyControl.show(state.accuracy);
       for (const { key, initial, show } of controls) {
         show(state.collision[key], initial);

@@ -112,6 +112,8 @@ def agrees(page: Page, server: str) -> bool:
         except urllib.error.HTTPError:
             # the page is going to say so
             return False
+    if page.get_by_test_id("result").get_attribute("data-stale") is not None:
+        return False
     return (
         number(shown["epsilon-t"]) == float(f"{epsilon_t:.4g}")
         and shown["switches"] == str(answer["switches"])

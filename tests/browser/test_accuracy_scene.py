@@ -126,6 +126,21 @@ def test_the_slider_from_fast_to_exact_says_what_each_place_costs(used_tab: Page
     assert len(set(bounds)) == 3
 
 
+def test_numbers_of_another_method_fade_at_once(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=20")
+    settle(used_tab, server)
+    has_faded = used_tab.get_by_test_id("method").evaluate(
+        """(choice) => {
+          choice.value = "timestep";
+          choice.dispatchEvent(new Event("change"));
+          return document.querySelector("[data-testid=result]").hasAttribute("data-stale");
+        }"""
+    )
+    assert has_faded
+    settle(used_tab, server)
+    assert text(used_tab, "provenance").startswith("timestep ±")
+
+
 def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(
     used_tab: Page, server: str
 ):
