@@ -139,6 +139,12 @@ def record(
 
 
 @compiled
+def within_reach(contact: Contact, psi: float) -> float:
+    """Return ψ or, where it is out of range, the end of the range: followed in its place."""
+    return min(max(psi, WEAKEST), contact.strongest)
+
+
+@compiled
 def follow(
     contact: Contact, kappa: float, psi: float, episodes: npt.NDArray[np.void]
 ) -> tuple[float, int, bool]:
@@ -149,7 +155,7 @@ def follow(
     contact : Contact
         What η makes of the normal motion.
     kappa, psi : float
-        Positive and finite; ψ from `WEAKEST` to `contact.strongest`.
+        Positive and finite; ψ may be out of reach.
     episodes : ndarray of `EPISODE`
         Filled with the first episodes, as many as it has room for; may be empty.
 
@@ -158,10 +164,13 @@ def follow(
     epsilon_t, switches, certain
         As in `Collision`.
     """
-    spring = spring_in(contact, kappa)
+    wanted, psi = psi, within_reach(contact, psi)
+    spring = spring_in(contact, kappa, psi)
     room = episodes.size
     falling, q, side, towards = False, 0.0, 1, psi
-    sliding, certain = contact.begins_sliding, True
+    sliding = contact.begins_sliding
+    # without damping the limit is reached before a ψ is out of reach; with it the count may differ
+    certain = sliding or psi == wanted
     for switches in range(ENDLESS):
         if switches < room:
             record(episodes, switches, q, side * towards, falling, side, sliding)
@@ -196,7 +205,7 @@ def _collide_each(
     """Fill the last four arrays (N,) for the parameters before them."""
     nothing = np.empty(0, dtype=EPISODE)
     for i in range(kappa.size):
-        k, p = kappa[i], min(max(psi[i], WEAKEST), contact.strongest)
+        k, p = kappa[i], within_reach(contact, psi[i])
         bound[i] = rounding_bound(contact, k, p)
         # stronger ones have few switches, and energy does not bound them
         weak = p < contact.impulse
@@ -204,7 +213,7 @@ def _collide_each(
             epsilon_t[i], switches[i], certain[i] = 0.0, TOO_STIFF, False
             bound[i] = energy_bound(contact, k, psi[i])
         else:
-            epsilon_t[i], switches[i], certain[i] = follow(contact, k, p, nothing)
+            epsilon_t[i], switches[i], certain[i] = follow(contact, k, psi[i], nothing)
         if psi[i] == 0.0 or psi[i] == np.inf:
             switches[i], certain[i] = 0, True
 

@@ -22,6 +22,9 @@ from restitution.mechanics.damped_normal_motion import (
 )
 from restitution.mechanics.switching import MOST_STEPS, NOWHERE, ROUNDING, Spring, newton_within
 
+BESIDE = 1e-9
+"""Relative distance below which κ may be on either side of an extremum of −P̈/P."""
+
 
 @compiled
 def place(contact: Viscoelastic, falling: bool, time: float) -> float:
@@ -86,7 +89,9 @@ def outrun(contact: Viscoelastic, kappa: float) -> tuple[float, float]:
 
     There r < 0, as at the start; `NOWHERE` twice if it is so at the start only.
     """
-    if contact.ridge < 0.0 or not contact.valley_value < kappa < contact.ridge_value:
+    # beside both values rounding would hide a dip, and in it a switch: it is looked at, if empty
+    low, high = contact.valley_value - BESIDE * kappa, contact.ridge_value + BESIDE * kappa
+    if contact.ridge < 0.0 or not low < kappa < high:
         return NOWHERE, NOWHERE
     end = contact.rising_end + contact.falling_end
     begin = _curvature_root(contact, kappa, contact.valley, contact.ridge, 1.0)
@@ -94,23 +99,25 @@ def outrun(contact: Viscoelastic, kappa: float) -> tuple[float, float]:
 
 
 @compiled
-def reach(contact: Viscoelastic, kappa: float, falling: bool, q: float) -> float:
-    """Return 2R (κL + |Ṗ|), L being the velocity spent, or yet to be spent when `falling`."""
-    root, cap, loss, _ = damped_motion(contact, falling, q)
-    slope = cap_slope(contact.a, contact.b, root, rate_at(contact, falling, loss), cap)
-    return 2.0 * root * kappa * loss + (-slope if falling else slope)
-
-
-@compiled
 def has_ended(
-    contact: Viscoelastic, kappa: float, target: float, lacking: float, falling: bool, q: float
-) -> bool:
-    """Return whether sliding, had it gone on, would have ended before q."""
-    root, _, _, _ = damped_motion(contact, falling, q)
-    reached = reach(contact, kappa, falling, q)
+    contact: Viscoelastic, spring: Spring, target: float, lacking: float, falling: bool, q: float
+) -> tuple[bool, bool]:
+    """Return whether sliding, had it gone on, would have ended before q, and certainty of it.
+
+    It has where 2R(κL + |Ṗ|) has grown to 2Rκ `target` or, when `falling`, fallen to 2Rκ `lacking`:
+    L is the velocity spent, or yet to be spent.
+    """
+    kappa = spring.stiffness
+    root, cap, loss, _ = damped_motion(contact, falling, q)
+    rate = rate_at(contact, falling, loss)
+    slope = cap_slope(contact.a, contact.b, root, rate, cap)
+    double = 2.0 * root * kappa
+    excess = double * (loss - target) + slope
     if falling:
-        return reached < 2.0 * root * kappa * lacking
-    return reached >= 2.0 * root * kappa * target
+        excess = double * (lacking - loss) + slope
+    terms = cap + 2.0 * root * root * (contact.a + contact.b * root * cap)
+    rounding = double * spring.error + 8.0 * ROUNDING * (double * (loss + abs(target)) + terms)
+    return excess >= 0.0, abs(excess) > rounding
 
 
 @compiled
@@ -156,27 +163,30 @@ def sliding_end(
     target = towards + loss
     lacking = loss - towards if falling else contact.impulse - target
     short = kappa * lacking - contact.last_slope
-    certain = abs(short) > 8.0 * ROUNDING * (kappa * (abs(target) + 2.0) + contact.last_slope)
+    rounding = 8.0 * ROUNDING * (kappa * (abs(target) + 2.0) + contact.last_slope)
+    certain = abs(short) > kappa * spring.error + rounding
     time = contact.duration - time if falling else time
     high = q if falling else contact.rising_end
     end, rising_ends = 0.0, False
     if time < spring.bend_begin:
         # the reach grows until then and shrinks; if it does not suffice there, it will later
         turn_falling, turn = at_time(contact, spring.bend_begin)
-        if has_ended(contact, kappa, target, lacking, turn_falling, turn):
-            if turn_falling:
-                end = turn
-            else:
-                high, rising_ends = turn, True
+        ended, sure = has_ended(contact, spring, target, lacking, turn_falling, turn)
+        certain = certain and sure
+        if ended and turn_falling:
+            end = turn
+        elif ended:
+            high, rising_ends = turn, True
     if not falling:
-        if rising_ends or has_ended(contact, kappa, target, lacking, False, high):
+        # in which half sliding ends makes no difference to the count
+        if rising_ends or has_ended(contact, spring, target, lacking, False, high)[0]:
             q = sliding_root(contact, kappa, target, False, q, high)
             root, cap, spent, _ = damped_motion(contact, False, q)
             slope = cap_slope(contact.a, contact.b, root, 1.0 - spent, cap)
             velocity = 0.5 * slope / root / kappa if kappa > 1.0 else target - spent
-            return True, False, q, velocity, True
+            return True, False, q, velocity, certain
         high = contact.falling_end
-    if short <= 0.0:
+    if short <= 0.0 and end == 0.0:
         return False, True, 0.0, -lacking, certain
     q = sliding_root(contact, kappa, lacking, True, end, high)
     root, cap, loss, _ = damped_motion(contact, True, q)

@@ -16,7 +16,14 @@ from restitution.mechanics.damped_normal_motion import (
     rate_at,
 )
 from restitution.mechanics.damped_sliding import at_time, place
-from restitution.mechanics.switching import MOST_STEPS, NEGLIGIBLE, NOWHERE, ROUNDING, newton_within
+from restitution.mechanics.switching import (
+    MOST_STEPS,
+    NEGLIGIBLE,
+    NOWHERE,
+    ROUNDING,
+    Spring,
+    newton_within,
+)
 
 
 @compiled
@@ -28,15 +35,26 @@ def spring_at(elapsed: float, omega: float, force: float, pull: float) -> tuple[
 
 @compiled
 def gap_and_lead(
-    contact: Viscoelastic, omega: float, t0: float, force: float, pull: float, time: float
-) -> tuple[float, float]:
-    """Return P − κz and 2R (Ṗκz − Pκu) at a time; `force`, `pull` are κz and κu/ω at t₀."""
+    contact: Viscoelastic, spring: Spring, t0: float, force: float, pull: float, time: float
+) -> tuple[float, float, bool]:
+    """Return P − κz, 2R (Ṗκz − Pκu) at a time, and whether rounding leaves the first its sign.
+
+    `force` and `pull` are κz and κu/ω at t₀.
+    """
+    omega = spring.omega
     falling, q = at_time(contact, time)
     root, cap, loss, _ = damped_motion(contact, falling, q)
     rate = rate_at(contact, falling, loss)
-    spring, moving = spring_at(time - t0, omega, force, pull)
+    load, moving = spring_at(time - t0, omega, force, pull)
     slope = cap_slope(contact.a, contact.b, root, rate, cap)
-    return root * cap - spring, slope * spring - 2.0 * root * root * cap * omega * moving
+    gap = root * cap - load
+    # a spring at rest has the relative error of its phase, one that was followed also an absolute
+    phase, followed = omega * time, 0.0
+    if t0 > 0.0:
+        phase, followed = 1.0 + phase, omega * spring.error
+    rounding = 8.0 * ROUNDING * (root * cap + abs(load) + phase * math.hypot(force, pull))
+    lead = slope * load - 2.0 * root * root * cap * omega * moving
+    return gap, lead, abs(gap) > rounding + followed
 
 
 @compiled
@@ -61,7 +79,7 @@ def halved(
 @compiled
 def closest(
     contact: Viscoelastic,
-    kappa: float,
+    spring: Spring,
     t0: float,
     force: float,
     pull: float,
@@ -69,10 +87,10 @@ def closest(
     end: float,
 ) -> float:
     """Return the time between two at which P/κz has its minimum: W < 0 before and > 0 after it."""
-    omega = math.sqrt(kappa)
+    kappa, omega = spring.stiffness, spring.omega
     later = begin < contact.peak_time < end
     if later:
-        later = gap_and_lead(contact, omega, t0, force, pull, contact.peak_time)[1] < 0.0
+        later = gap_and_lead(contact, spring, t0, force, pull, contact.peak_time)[1] < 0.0
     falling, low, high = halved(contact, begin, end, later)
     sense = -1.0 if falling else 1.0
     origin = contact.duration - t0 if falling else -t0
@@ -82,12 +100,12 @@ def closest(
     for n in range(MOST_STEPS):
         root, cap, loss, passed = damped_motion(contact, falling, q)
         rate = rate_at(contact, falling, loss)
-        spring, moving = spring_at(origin + sense * passed, omega, force, pull)
+        load, moving = spring_at(origin + sense * passed, omega, force, pull)
         slope = cap_slope(contact.a, contact.b, root, rate, cap)
         bend = cap_bend(contact.a, contact.b, root, rate, cap)
         square = root * root
-        value = slope * spring - 2.0 * square * cap * omega * moving
-        growth = rate * value + spring * (4.0 * kappa * square * square * cap + bend)
+        value = slope * load - 2.0 * square * cap * omega * moving
+        growth = rate * value + load * (4.0 * kappa * square * square * cap + bend)
         if (value > 0.0) == falling:
             low = q
         else:
@@ -168,45 +186,47 @@ def cap_fall_time(contact: Viscoelastic, amplitude: float) -> float:
 @compiled
 def meeting_before_bend_end(
     contact: Viscoelastic,
-    kappa: float,
+    spring: Spring,
     t0: float,
     force: float,
     pull: float,
     begin: float,
     end: float,
     nearing: bool,
-    bend_begin: float,
-    bend_end: float,
-) -> tuple[bool, float, float, bool]:
-    """Return whether κz > 0 meets the cap between two times and before `bend_end`.
+) -> tuple[bool, float, float, bool, bool]:
+    """Return whether κz > 0 meets the cap between two times and before the spring's `bend_end`.
 
-    Also the times that bracket the meeting or, without one, from where on to look, and whether
-    spring and cap approach each other there; see `meeting_in_swing`.
+    Also the times that bracket the meeting or, without one, from where on to look, whether spring
+    and cap approach each other there, and certainty; see `meeting_in_swing`.
     """
-    omega = math.sqrt(kappa)
+    bend_begin, bend_end = spring.bend_begin, spring.bend_end
+    certain = True
     if begin < bend_begin:
         stop = min(end, bend_begin)
-        gap, lead = gap_and_lead(contact, omega, t0, force, pull, stop)
+        gap, lead, certain = gap_and_lead(contact, spring, t0, force, pull, stop)
         if gap <= 0.0 and lead <= 0.0:
-            return True, begin, stop, True
+            return True, begin, stop, True, certain
         if lead > 0.0 and nearing:
-            least = closest(contact, kappa, t0, force, pull, begin, stop)
-            if gap_and_lead(contact, omega, t0, force, pull, least)[0] <= 0.0:
-                return True, begin, least, True
+            least = closest(contact, spring, t0, force, pull, begin, stop)
+            gap, _, sure = gap_and_lead(contact, spring, t0, force, pull, least)
+            certain = certain and sure
+            if gap <= 0.0:
+                return True, begin, least, True, certain
         begin, nearing = stop, lead <= 0.0
     if begin < min(bend_end, end):
         stop = min(end, bend_end)
-        gap, lead = gap_and_lead(contact, omega, t0, force, pull, stop)
+        gap, lead, sure = gap_and_lead(contact, spring, t0, force, pull, stop)
+        certain = certain and sure
         if gap <= 0.0:
-            return True, begin, stop, True
+            return True, begin, stop, True, certain
         begin, nearing = stop, lead < 0.0
-    return False, begin, end, nearing
+    return False, begin, end, nearing, certain
 
 
 @compiled
 def meeting_in_swing(
     contact: Viscoelastic,
-    kappa: float,
+    spring: Spring,
     t0: float,
     force: float,
     pull: float,
@@ -221,43 +241,36 @@ def meeting_in_swing(
     approach each other at first, in proportion. Also the times that bracket the meeting, and
     whether rounding has no say in it.
     """
-    omega = math.sqrt(kappa)
+    certain = True
     if begin < extremum < end:
-        gap, lead = gap_and_lead(contact, omega, t0, force, pull, extremum)
+        gap, lead, certain = gap_and_lead(contact, spring, t0, force, pull, extremum)
         if gap <= 0.0:
-            return True, begin, extremum, True
+            return True, begin, extremum, certain
         if lead < 0.0:
             begin, nearing = extremum, True
         else:
             end = extremum
     if end >= contact.duration:
         # the force of the cap vanishes there, that of the spring does not
-        return True, begin, end, True
+        return True, begin, end, certain
     if not nearing or begin >= end:
-        return False, begin, end, True
-    least = closest(contact, kappa, t0, force, pull, begin, end)
-    gap, _ = gap_and_lead(contact, omega, t0, force, pull, least)
-    rounding = 8.0 * ROUNDING * (1.0 + omega * contact.duration)
-    return gap <= 0.0, begin, least, abs(gap) > rounding * math.hypot(force, pull)
+        return False, begin, end, certain
+    least = closest(contact, spring, t0, force, pull, begin, end)
+    gap, _, sure = gap_and_lead(contact, spring, t0, force, pull, least)
+    return gap <= 0.0, begin, least, certain and sure
 
 
 @compiled
 def sticking_end(
-    contact: Viscoelastic,
-    kappa: float,
-    t0: float,
-    force: float,
-    pull: float,
-    bend_begin: float,
-    bend_end: float,
+    contact: Viscoelastic, spring: Spring, t0: float, force: float, pull: float
 ) -> tuple[bool, float, int, float, bool]:
     """Return half, q, side, velocity κu/ω towards that side and certainty of the next sliding.
 
     At t₀ the spring is κz = `force` ≥ 0, on the cap or, at t₀ = 0, at rest; κu/ω = `pull`.
     """
-    omega = math.sqrt(kappa)
+    omega = spring.omega
     lead = math.atan2(pull, force)
-    soft = bend_end >= 0.0
+    soft = spring.bend_end >= 0.0
     resting = t0 == 0.0
     swing = 0
     if not soft and not resting:
@@ -273,12 +286,13 @@ def sticking_end(
         begin = min(max(t0, extremum - 0.5 * math.pi / omega), contact.duration)
         end = min(extremum + 0.5 * math.pi / omega, contact.duration)
         y0, w0 = sign * force, sign * pull
-        met, begin, end, nearing = meeting_before_bend_end(
-            contact, kappa, t0, y0, w0, begin, end, resting or swing > 0, bend_begin, bend_end
+        met, begin, end, nearing, sure = meeting_before_bend_end(
+            contact, spring, t0, y0, w0, begin, end, resting or swing > 0
         )
+        certain = certain and sure
         if not met:
             met, begin, end, sure = meeting_in_swing(
-                contact, kappa, t0, y0, w0, begin, extremum, end, nearing
+                contact, spring, t0, y0, w0, begin, extremum, end, nearing
             )
             certain = certain and sure
         if met:
@@ -295,7 +309,7 @@ def sticking_end(
     peak = contact.peak_time
     later = begin < peak < end
     if later:
-        later = gap_and_lead(contact, omega, t0, sign * force, sign * pull, peak)[0] > 0.0
+        later = gap_and_lead(contact, spring, t0, sign * force, sign * pull, peak)[0] > 0.0
     falling, low, high = halved(contact, begin, end, later)
     origin = contact.duration - t0 if falling else -t0
     guess = NOWHERE

@@ -20,7 +20,6 @@ from restitution.mechanics.switching import (
     COMPRESSING,
     MONOTONE_STIFFNESS,
     NOWHERE,
-    ROUNDING,
     SLIDING_TO_THE_END,
     Spring,
     first_sliding_end,
@@ -47,12 +46,6 @@ class Elastic(NamedTuple):
     """ẋ at the end, −ε_n."""
     peak: float = MAXIMUM_FORCE
     """The largest force."""
-
-
-@compiled
-def spring_in(_: Elastic, kappa: float) -> Spring:
-    """Return the spring of a stiffness κ."""
-    return Spring(kappa, math.sqrt(kappa), NOWHERE, NOWHERE)
 
 
 @compiled
@@ -115,6 +108,13 @@ def rounding_bound(_: Elastic, kappa: float, psi: float) -> float:
 
 
 @compiled
+def spring_in(contact: Elastic, kappa: float, psi: float) -> Spring:
+    """Return the spring of a stiffness κ in a collision of one ψ."""
+    error = rounding_bound(contact, kappa, psi) * psi
+    return Spring(kappa, math.sqrt(kappa), NOWHERE, NOWHERE, error)
+
+
+@compiled
 def sliding_end(
     contact: Elastic,
     spring: Spring,
@@ -138,10 +138,7 @@ def sliding_end(
             return True, False, q, towards - loss, certain
         return True, True, q, -1.5 * root * (1.0 - loss) / kappa, certain
     lacking = velocity_to_stop(q, falling) - towards
-    # the velocity of a swing is known to the rounding of its phase, times its amplitude
-    root, _ = normal_motion(q)
-    swing = math.hypot(root * root * root / spring.omega, towards)
-    certain = abs(lacking) > 8.0 * ROUNDING * (1.0 + spring.omega) * swing
+    certain = abs(lacking) > spring.error
     if lacking <= 0.0:
         return False, True, 0.0, -lacking, certain
     q = next_sliding_end(kappa, q, falling, lacking)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError, ParameterError
-from restitution.mechanics.collision import EPISODE, MOST_SWITCHES, follow
+from restitution.mechanics.collision import EPISODE, MOST_SWITCHES, follow, within_reach
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import (
     Contact,
@@ -24,7 +24,6 @@ from restitution.mechanics.contact import (
     rounding_bound,
 )
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.scaled_velocity import WEAKEST
 
 
 @dataclass(frozen=True)
@@ -34,7 +33,7 @@ class Motion:
     Attributes
     ----------
     kappa, psi, damping : float
-        Parameters; ψ at least `WEAKEST`.
+        Parameters; ψ within reach, see `within_reach`.
     episodes : ndarray of `EPISODE`, shape (switches + 1,)
         Beginning of each episode.
     start : ndarray, shape (switches + 1,)
@@ -186,7 +185,8 @@ def motion(
         if not 0.0 < value < math.inf:
             raise ParameterError(name, value, "positive and finite")
     contact = contact_of(damping)
-    kappa, psi = float(kappa), min(max(float(psi), WEAKEST), contact.strongest)
+    kappa, wanted = float(kappa), float(psi)
+    psi = within_reach(contact, wanted)
     expected, bound = _foresee(contact, kappa, psi)
     if expected > most_switches or (bound >= 1.0 and psi < contact.impulse):
         raise CostError(
@@ -196,7 +196,7 @@ def motion(
     room = int(expected) + 2
     while True:
         episodes, passed, force = np.zeros(room, EPISODE), np.empty(room), np.empty(room)
-        epsilon_t, switches, certain = _follow(contact, kappa, psi, episodes, passed, force)
+        epsilon_t, switches, certain = _follow(contact, kappa, wanted, episodes, passed, force)
         if switches < room:
             break
         room = switches + 1

@@ -30,8 +30,8 @@ from restitution.mechanics.hertz import (
     normal_motion,
 )
 
-MONOTONE_STIFFNESS = 1.5684593288589
-"""(21/10 x_max^{5/2} − 3/4)/x_max²: from here on r > 0 during the whole contact."""
+MONOTONE_STIFFNESS = 1.56845932888691
+"""(21/10 x_max^{5/2} − 3/4)/x_max², rounded up: from here on r > 0 during the whole contact."""
 
 ROUNDING = 2.220446049250313e-16
 """Distance from 1 to the next double."""
@@ -65,6 +65,8 @@ class Spring(NamedTuple):
     """Time from which on a damped cap curves away from it in mid-contact, or `NOWHERE`."""
     bend_end: float
     """Time until which it does."""
+    error: float
+    """Bound on the rounding error of the surface velocity: two motions only approach each other."""
 
 
 @compiled
@@ -160,12 +162,15 @@ def first_sliding_end(kappa: float, psi: float) -> tuple[int, float, bool]:
     threshold = 2.0 * kappa
     compressing = load < kappa
     high = HALF_CONTACT_ROOT
+    certain = True
     if kappa < MONOTONE_STIFFNESS:
         high = slip_extremum(kappa)
         reach = slip_reach(kappa, high)
         threshold = max(threshold, reach)
         compressing = load < reach
-    certain = abs(load - threshold) > 8.0 * ROUNDING * threshold
+        # where sliding all but ends in the compression, it jumps from there to the decompression
+        certain = abs(load - reach) > 8.0 * ROUNDING * reach
+    certain = certain and abs(load - threshold) > 8.0 * ROUNDING * threshold
     if not load < threshold:
         return SLIDING_TO_THE_END, 0.0, certain
     target = load if compressing else kappa * (2.0 - psi)
@@ -218,14 +223,14 @@ def decompression_bracket(
             # The extremum stays within the cap. After it the cap is met if z = 0 comes too late,
             # or if the spring is beyond it at the mirror time.
             high = math.sqrt(min(left, HALF_CONTACT))
-            if left <= 0.5 * math.pi / omega:
-                return 0.0, high, 1 - 2 * (int(swing) & 1), True
             mirror = omega * (CONTACT_DURATION - 2.0 * t0) - lead - swing * math.pi
-            if mirror < 0.5 * math.pi:
-                excess = amplitude * math.cos(mirror) - p0
-                certain = abs(excess) > 8.0 * ROUNDING * (1.0 + omega) * amplitude
-                if excess >= 0.0:
-                    return math.sqrt(t0), high, 1 - 2 * (int(swing) & 1), certain
+            excess = amplitude * math.cos(min(mirror, math.pi)) - p0
+            certain = abs(excess) > 8.0 * ROUNDING * (1.0 + omega) * amplitude
+            side = 1 - 2 * (int(swing) & 1)
+            if left <= 0.5 * math.pi / omega:
+                return 0.0, high, side, certain
+            if excess >= 0.0:
+                return math.sqrt(t0), high, side, certain
             swing += 1
             left -= math.pi / omega
     # Sticking 3: while |z| grows

@@ -12,7 +12,7 @@ from restitution.mechanics.damped_normal_motion import Viscoelastic, damped_moti
 from restitution.mechanics.elastic import NO_LESS
 from restitution.mechanics.hertz import Instant
 from restitution.mechanics.scaled_velocity import WEAKEST
-from restitution.mechanics.switching import ROUNDING, Spring
+from restitution.mechanics.switching import Spring
 
 SOFTEST = 1e-290
 """κ below which, in the units of the contact, the spring takes nothing from the velocity."""
@@ -81,11 +81,12 @@ def rounding_bound(contact: Viscoelastic, kappa: float, psi: float) -> float:
 
 
 @compiled
-def spring_in(contact: Viscoelastic, kappa: float) -> Spring:
-    """Return the spring of a stiffness κ as in the API."""
+def spring_in(contact: Viscoelastic, kappa: float, psi: float) -> Spring:
+    """Return the spring of a stiffness κ as in the API in a collision of one ψ."""
     stiffness = scaled_stiffness(contact, kappa)
     begin, end = damped_sliding.outrun(contact, stiffness)
-    return Spring(stiffness, math.sqrt(stiffness), begin, end)
+    error = rounding_bound(contact, kappa, psi) * psi
+    return Spring(stiffness, math.sqrt(stiffness), begin, end, error)
 
 
 @compiled
@@ -96,16 +97,16 @@ def sticking_end(
 
     Sticking began at q with the given velocity; both sides are 1 where it began.
     """
-    kappa, omega, bend_begin, bend_end = spring
+    omega = spring.omega
     if q == 0.0 and not falling:
         # docs/model.md, "Events with damping", Sticking 4: from the touch on
         falling, q, side, pull, certain = damped_sticking.sticking_end(
-            contact, kappa, 0.0, 0.0, omega * velocity, bend_begin, bend_end
+            contact, spring, 0.0, 0.0, omega * velocity
         )
-        return falling, q, side, pull / omega, certain and kappa > SOFTEST
+        return falling, q, side, pull / omega, certain and spring.stiffness > SOFTEST
     root, cap, _, time = damped_motion(contact, falling, q)
     force = root * cap
-    if falling and contact.duration - time >= bend_end:
+    if falling and contact.duration - time >= spring.bend_end:
         # Sticking 3: on the other side
         side, certain = -1, True
         q, pull = damped_sticking.sticking_end_while_falling(
@@ -115,16 +116,9 @@ def sticking_end(
         # Sticking 1 and 2, or as long as r changes its sign each stretch by itself
         start = contact.duration - time if falling else time
         falling, q, side, pull, certain = damped_sticking.sticking_end(
-            contact, kappa, start, force, omega * velocity, bend_begin, bend_end
+            contact, spring, start, force, omega * velocity
         )
-    towards = pull / omega
-    # the velocity of a swing is known to the rounding of its phase, times its amplitude
-    _, _, loss, _ = damped_motion(contact, falling, q)
-    lacking = (loss if falling else contact.impulse - loss) - towards
-    rounding = 8.0 * ROUNDING * (1.0 + omega * contact.duration)
-    swing = math.hypot(force / omega, velocity)
-    certain = certain and abs(lacking - contact.last_slope / kappa) > rounding * swing
-    return falling, q, side, towards, certain
+    return falling, q, side, pull / omega, certain
 
 
 @compiled
