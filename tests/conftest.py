@@ -8,9 +8,13 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, settings
+from starlette.testclient import TestClient
 
+from restitution.api.app import create_app
 from restitution.api.warm import warm, warm_rest
 from servers import serving
+from service import Service
+from waiting import eventually
 
 VALIDATION = Path(__file__).parent / "validation"
 
@@ -90,3 +94,16 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     """The base URL of a `restitution serve` process."""
     with serving(tmp_path_factory.mktemp("server")) as running:
         yield running.url
+
+
+@pytest.fixture(scope="session")
+def service() -> Iterator[Service]:
+    """The service in this process, ready."""
+    with TestClient(create_app()) as client:
+
+        def is_warm() -> None:
+            # before that nothing is computed on the event loop
+            assert client.app.state.warm.is_set(), "the kernels or the table are not ready"
+
+        eventually(is_warm)
+        yield Service(client)

@@ -145,8 +145,13 @@ def test_mechanics_pause_where_they_may_be_called_off(work):
 @pytest.mark.parametrize(
     ("parameters", "line"),
     [
-        ({"samples": 2000}, "quick"),
-        ({"samples": 2001}, "long"),
+        ({"samples": 2400}, "quick"),
+        ({"samples": 2500}, "long"),
+        # the instants of its switches are written as its samples are
+        ({"samples": 400, "kappa": 1e6, "gt_over_gn": 1.4}, "quick"),
+        ({"samples": 400, "kappa": 3e7, "gt_over_gn": 1.4}, "long"),
+        ({"samples": 400, "kappa": 3e6, "gt_over_gn": 1.4, "episode_limit": 0}, "quick"),
+        ({"samples": 400, "kappa": 3e6, "gt_over_gn": 1.4, "episode_limit": 10_000}, "long"),
         ({"samples": 400, "method": "timestep", "steps": 1000}, "quick"),
         # its steps are written as the samples are
         ({"samples": 400, "method": "timestep", "steps": 130_000}, "long"),
@@ -156,6 +161,6 @@ def test_mechanics_pause_where_they_may_be_called_off(work):
 def test_a_trace_of_many_instants_does_not_wait_on_the_event_loop(service, parameters, line):
     trace = {"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358}
     with counted() as work:
-        response = service.get("/trace", **trace, **parameters)
+        response = service.get("/trace", **trace | parameters)
     assert response.status_code == 200
     assert work[line] == 1

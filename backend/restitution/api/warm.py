@@ -1,7 +1,7 @@
 """Compile or load the kernels before the first request needs them."""
 
 from restitution.methods.options import Options
-from restitution.methods.planner import is_quick
+from restitution.methods.planner import switches_to_follow
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import QUANTITIES, study_batch
 from restitution.studies.collision.parameters import CollisionParameters
@@ -13,7 +13,7 @@ def warm() -> None:
     """Run one collision through the kernels of what the page shows first."""
     study_trace(CollisionParameters(18.0, 1.4, 0.4), samples=2)
     study_batch(18.0, 1.4, 0.4, QUANTITIES, Options(method="stiff"))
-    is_quick(18.0, 0.3, Options())
+    switches_to_follow(18.0, 0.3)
 
 
 def warm_rest() -> None:

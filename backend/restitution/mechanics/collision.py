@@ -170,7 +170,7 @@ def follow(
     falling, q, side, towards = False, 0.0, 1, psi
     sliding = contact.begins_sliding
     # without damping the limit is reached before a ψ is out of reach; with it the count may differ
-    certain = sliding or psi == wanted
+    certain = sliding or (psi == wanted and kappa * psi > contact.least_load)
     for switches in range(ENDLESS):
         if switches < room:
             record(episodes, switches, q, side * towards, falling, side, sliding)

@@ -36,6 +36,12 @@ ELASTIC = Elastic()
 MOST_DAMPING = 1e30
 """Largest η that is followed: from 1e10 on less than 1e-16 of the velocity is left (ε_n)."""
 
+LEAST_DAMPING = 1e-100
+"""η below which it is followed as this one: ε_t is the same to the last digit."""
+
+LEAST_LOAD = 1e-49
+"""κψ above which the count is, too: the first sticking ends where it is about 2√η."""
+
 HALVINGS = 60
 """Of the bracket of the largest compression, where it is flat anyway."""
 
@@ -74,10 +80,10 @@ at_time = by_contact(elastic.at_time, viscoelastic.at_time)
 
 @functools.lru_cache(maxsize=64)
 def _kept(damping: float) -> Viscoelastic:
-    contact = prepare(damping, MOST_STEPS)
+    contact = prepare(max(damping, LEAST_DAMPING), MOST_STEPS)
     if contact.rising == 0:
         raise ArithmeticError(f"the end of the contact was not found for damping = {damping!r}")
-    return contact
+    return contact if damping >= LEAST_DAMPING else contact._replace(least_load=LEAST_LOAD)
 
 
 def contact_of(damping: float) -> Contact:

@@ -75,6 +75,8 @@ class Viscoelastic(NamedTuple):
     """False: the cap rises as √t at first, the spring's force as t."""
     strongest: float
     """ψ above which the collision is followed as one of this ψ."""
+    least_load: float
+    """κψ above which the number of switches is that of the η which this contact stands for."""
 
 
 @inlined
@@ -320,7 +322,7 @@ def prepare(damping: float, limit: int) -> Viscoelastic:
     _fill(a, b, -1.0, root, rate, 0.0, pieces[first:])
     contact = Viscoelastic(
         pieces, first, a, b, unit, peak, end - peak, 0.0, 1.0 - rate, rate, 0.0, 0.0,
-        -a * root * rate, -1.0, 0.0, -1.0, 0.0, False, STRONGEST,
+        -a * root * rate, -1.0, 0.0, -1.0, 0.0, False, STRONGEST, 0.0,
     )  # fmt: skip
     if first == 0:
         return contact
@@ -340,5 +342,5 @@ def prepare(damping: float, limit: int) -> Viscoelastic:
         curvature_at(contact, valley) if found and b >= NO_VALLEY_VALUE else -1.0,
         ridge if found else -1.0,
         curvature_at(contact, ridge) if found else 0.0,
-        False, STRONGEST,
+        False, STRONGEST, 0.0,
     )  # fmt: skip

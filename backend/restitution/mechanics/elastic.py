@@ -38,6 +38,7 @@ class Elastic(NamedTuple):
     """The spring's force rises as t, the cap only as t^{3/2}."""
     strongest: float = math.inf
     """ψ from which on the collision is followed as one of this ψ."""
+    least_load: float = 0.0
     unit: float = 1.0
     duration: float = CONTACT_DURATION
     impulse: float = 2.0

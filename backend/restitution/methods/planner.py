@@ -126,16 +126,22 @@ def _cheapest(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     return Answer(epsilon_t, bound, method, switches, certain)
 
 
-def is_quick(kappa: float, psi: float, options: Options) -> bool:
+def switches_to_follow(kappa: float, psi: float) -> float:
+    """Return about how many switches one collision has, 0 if they are too many to be followed.
+
+    About as many with damping, whose contact would have to be prepared first.
+    """
+    switches = expected_switches(ELASTIC, kappa, psi)
+    return switches if switches <= MOST_SWITCHES else 0.0
+
+
+def is_quick(switches: float, options: Options) -> bool:
     """Return whether one collision is answered within two milliseconds of one core.
 
     The table may have to be built first, and the general solver takes longer at its best.
     """
     if options.method in {"table", "ode"}:
         return False
-    # about as many with damping, whose contact would have to be prepared first
-    switches = expected_switches(ELASTIC, kappa, psi)
-    switches = switches if switches <= MOST_SWITCHES else 0.0
     steps = options.steps if options.method == "timestep" else 0
     dearer = exact.DEARER_BY_DAMPING if options.damping else 1.0
     following = exact.SECONDS_FOR_A_SWITCH * dearer * switches

@@ -12,7 +12,7 @@ from pydantic_core import PydanticCustomError, core_schema
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
 from restitution.mechanics.contact import MOST_DAMPING
 from restitution.methods.options import Damping, Options
-from restitution.methods.planner import is_quick
+from restitution.methods.planner import is_quick, switches_to_follow
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision import many, one, trace
 from restitution.studies.collision.axis import Axis, Scale
@@ -24,6 +24,9 @@ from restitution.studies.collision.parameters import (
 )
 from restitution.studies.tables.grid import Sign
 from restitution.wire.ranges import Range, as_number
+
+QUICK_ROWS = 2500
+"""Of an answer: with all columns of a trace four milliseconds, most of them for writing them."""
 
 Part = TypeVar("Part")
 
@@ -108,8 +111,13 @@ class CollisionQuery(ComputedQuery):
 
     @property
     def is_quick(self) -> bool:
-        """Whether it is computed in some milliseconds."""
-        return is_quick(self.kappa, self.parameters.psi, self.options)
+        """Whether it is computed and written in some milliseconds."""
+        switches = switches_to_follow(self.kappa, self.parameters.psi)
+        return is_quick(switches, self.options) and self.rows(switches) <= QUICK_ROWS
+
+    def rows(self, switches: float) -> float:
+        """Return how many rows are written of a collision of so many switches: its episodes."""
+        return min(self.episode_limit, switches)
 
 
 @closed
@@ -118,6 +126,11 @@ class TraceQuery(CollisionQuery):
 
     quantities: Annotated[str, Several(*trace.COLUMNS)] = ",".join(trace.COLUMNS)
     samples: Annotated[int, Ge(2), Le(20_000)] = 400
+
+    def rows(self, switches: float) -> float:
+        """Return how many rows are written: episodes, samples with switches, steps of its own."""
+        steps = self.steps if self.method == "timestep" else 0
+        return super().rows(switches) + self.samples + switches + steps
 
 
 BatchQuantities = Annotated[str, Several(*many.QUANTITIES)]

@@ -26,15 +26,6 @@ calls = Calls("collisions")
 
 ONE = {"kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358}
 
-QUICK_SAMPLES = 2000
-"""Instants of a trace: with all its columns three milliseconds, most of them for writing it."""
-
-
-def _instants(query: TraceQuery) -> int:
-    """Return how many instants a trace has at least: its samples, and its own steps if it has."""
-    return query.samples + (query.steps if query.method == "timestep" else 0)
-
-
 LARGEST_LIST = 40 * 2**20
 """Bytes of a million collisions."""
 
@@ -63,7 +54,7 @@ def collision(query: CollisionQuery) -> Result:
     answers.Trace,
     "A collision over time",
     example=ONE,
-    quick=lambda query: _instants(query) <= QUICK_SAMPLES and query.is_quick,
+    quick=lambda query: query.is_quick,
 )
 def trace(query: TraceQuery) -> Result:
     """Return forces, velocities and the spring over time."""
