@@ -9,6 +9,7 @@ from restitution.studies.spheres.contact import Contact, scales
 from restitution.studies.spheres.impact import Impact, Velocities
 
 STEEL = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850.0)
+HOLLOW = replace(STEEL, inertia="hollow")
 FIGURE_2 = Contact(STEEL, STEEL, 0.4, 1e12)
 
 
@@ -48,15 +49,41 @@ def test_plastic_flow_begins_at_johnsons_velocity():
     )
 
 
-def test_turning_normal_is_that_of_the_centres_not_of_spin():
+def test_oblique_begins_where_turning_takes_a_hundredth_of_the_normal_velocity():
     contact = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
-    turn = scales(contact, 1.0).contact_duration_s / 0.04
-    crossing = 0.05 / turn
-    assert codes(contact, Velocities(1.0, 0.99 * crossing)) == []
-    assert codes(contact, Velocities(1.0, 1.01 * crossing)) == ["oblique"]
-    still = (0.0, 0.0, 0.0)
-    spinning = Impact((0.0, 0.0, -1.0), still, (0.0, 0.0, 1.0), (0.0, 1e4, 0.0))
+    # turn × velocity over g_n is 0.01, at a velocity of which friction takes hardly any
+    smooth = replace(contact, friction_coefficient=1e-3)
+    crossing = math.sqrt(0.01 * 0.04 / scales(contact, 1.0).contact_duration_s)
+    assert codes(smooth, Velocities(1.0, 0.99 * crossing)) == []
+    assert codes(smooth, Velocities(1.0, 1.01 * crossing)) == ["oblique"]
+    # friction slows the centres: what passes more slowly turns less
+    assert codes(contact, Velocities(1.0, 1.01 * crossing)) == []
+
+
+def test_spin_alone_does_not_turn_the_normal_but_rolling_on_another_does():
+    contact = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
+    still, up = (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+    spinning = Impact((0.0, 0.0, -1.0), still, up, (0.0, 1e3, 0.0))
     assert codes(contact, spinning) == []
+    # the surfaces rest on each other, and what they have after the turn is all they have
+    rolling = Impact((1.0, 0.0, -1.0), still, up, (0.0, 50.0, 0.0))
+    (warning,) = study_scaling(contact, rolling).warnings
+    assert warning.code == "oblique"
+    assert "a tangential velocity of up to 0.003 m/s" in warning.text
+
+
+def test_spin_about_the_normal_counts_where_that_turns():
+    contact = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
+    still, up = (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+    passing = Impact((1.0, 0.0, -1.0), still, up)
+    assert codes(contact, passing) == []
+    assert codes(contact, replace(passing, spin_1_rad_s=(0.0, 0.0, 1e3))) == ["oblique"]
+
+
+def test_hollow_spheres_are_told_from_solid_ones():
+    gentle = replace(FIGURE_2, tangential_stiffness_n_per_m="mindlin")
+    for bodies in ({"body_1": HOLLOW}, {"body_2": HOLLOW}, {"body_1": HOLLOW, "body_2": HOLLOW}):
+        assert codes(replace(gentle, **bodies), Velocities(0.01, 0.01)) == ["hollow"]
 
 
 def test_normal_of_a_wall_does_not_turn():

@@ -12,11 +12,13 @@ from restitution.studies.collision.parameters import CONVENTION, CollisionParame
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
 from restitution.studies.spheres.impact import (
     After,
+    Crossing,
     Impact,
     Velocities,
     after_impact,
     contact_velocity,
 )
+from restitution.studies.spheres.turning import turned
 from restitution.studies.spheres.validity import Caution, cautions
 
 
@@ -98,11 +100,11 @@ def study_scaling(
     if isinstance(impact, Velocities):
         approach, g_n, g_t = None, impact.normal_velocity_m_s, impact.tangential_velocity_m_s
         # of bodies that do not spin
-        crossing = g_t
+        crossing = Crossing(g_t, 0.0, 0.0)
     else:
         approach = contact_velocity(impact, contact.pair)
         g_n, g_t = approach.normal_velocity, approach.tangential_velocity
-        crossing = approach.crossing_velocity
+        crossing = approach.crossing
     at = scales(contact, g_n)
     parameters = CollisionParameters(
         at.kappa,
@@ -114,6 +116,7 @@ def study_scaling(
     after = None
     if isinstance(impact, Impact) and approach:
         after = after_impact(impact, at.pair, approach, found.epsilon_n, found.epsilon_t)
+    let_turn = turned(at, crossing, parameters, g_t, found.epsilon_n, found.epsilon_t)
     return ScalingStudy(
         kappa=at.kappa,
         mu_over_alpha=parameters.mu_over_alpha,
@@ -137,7 +140,7 @@ def study_scaling(
         epsilon_t=found.epsilon_t,
         switches=found.switches,
         after=after,
-        warnings=cautions(contact, at, crossing),
+        warnings=cautions(contact, at, let_turn, g_t),
         method=found.method,
         error_bound=found.error_bound,
         tolerance_met=found.tolerance_met,

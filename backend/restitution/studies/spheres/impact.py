@@ -85,6 +85,17 @@ AnyImpact = Annotated[
 ]
 
 
+class Crossing(NamedTuple):
+    """Motion before an impact that turns the normal, or that a turned normal changes; in m/s."""
+
+    along: float
+    """Tangential velocity of the centres along e_t."""
+    across: float
+    """The same across e_t, 0 or more."""
+    drilling: float
+    """|(R₁Ω₁ + R₂Ω₂)·n|, which a turned normal makes tangential."""
+
+
 class Approach(NamedTuple):
     """The velocity of the surfaces at the point of contact before the collision.
 
@@ -99,8 +110,8 @@ class Approach(NamedTuple):
     """g_t e_t (Eq. 6)."""
     tangential_velocity: float
     """g_t in m/s, 0 or more."""
-    crossing_velocity: float
-    """Tangential part of the centres' relative velocity in m/s, which turns the normal."""
+    crossing: Crossing
+    """What turns the normal."""
 
 
 class After(NamedTuple):
@@ -171,8 +182,15 @@ def contact_velocity(impact: Impact, both: Pair) -> Approach:
             )
         surfaces = centres - np.cross(turning_1 + turning_2, normal)
         tangential = np.cross(np.cross(normal, surfaces), normal)
-        crossing = _length(np.cross(normal, centres))
-        g_n, g_t = (float(np.ldexp(v, exponent)) for v in (approach, _length(tangential)))
+        length = _length(tangential)
+        direction = tangential / length if length > 0.0 else tangential
+        passing = np.cross(np.cross(normal, centres), normal)
+        along = float(passing @ direction)
+        across = _length(passing - along * direction)
+        drilling = abs(float((turning_1 + turning_2) @ normal))
+        g_n, g_t, *turning_it = (
+            float(np.ldexp(v, exponent)) for v in (approach, length, along, across, drilling)
+        )
     change = "the velocities and spins"
     if g_t > 0.0:
         representable("tangential_velocity_m_s", g_t, change)
@@ -182,7 +200,7 @@ def contact_velocity(impact: Impact, both: Pair) -> Approach:
         representable("normal_velocity_m_s", g_n, change),
         tangential,
         g_t,
-        float(np.ldexp(crossing, exponent)),
+        Crossing(*turning_it),
     )
 
 

@@ -3,14 +3,16 @@
 import math
 from dataclasses import dataclass
 
+from restitution.studies.spheres.bodies import Sphere
 from restitution.studies.spheres.contact import Contact, Scales
 from restitution.studies.spheres.powers import product_of_powers
+from restitution.studies.spheres.turning import Turned
 
 LARGEST_COMPRESSION = 0.05
 """Of the smaller radius; beyond it Hertz's law is off by about as much."""
 
-LARGEST_TURN = 0.05
-"""Radians by which the normal may turn during the contact, mixing normal and tangential motion."""
+LARGEST_CHANGE = 0.01
+"""Of g_n and of g_t: what the velocities after an impact may owe to the fixed normal."""
 
 YIELD_PRESSURE = 1.6
 """Largest pressure of a Hertz contact over the yield stress where plastic flow begins; J1985."""
@@ -27,7 +29,9 @@ class Caution:
     text: str
 
 
-def cautions(contact: Contact, at: Scales, crossing_velocity: float) -> list[Caution]:
+def cautions(
+    contact: Contact, at: Scales, let_turn: Turned, tangential_velocity: float
+) -> list[Caution]:
     """Return where a collision leaves the model.
 
     Parameters
@@ -36,14 +40,17 @@ def cautions(contact: Contact, at: Scales, crossing_velocity: float) -> list[Cau
         The bodies and their laws.
     at : Scales
         Their contact at the normal velocity of the impact.
-    crossing_velocity : float
-        Tangential part of the centres' relative velocity in m/s, 0 or more.
+    let_turn : Turned
+        What a turning normal would change.
+    tangential_velocity : float
+        g_t in m/s, 0 or more.
     """
     found = [
         _compression(at),
         _plastic_flow(contact, at),
-        _turning_normal(at, crossing_velocity),
+        _turning_normal(let_turn, tangential_velocity),
         _stiffness(at),
+        _hollow(contact),
     ]
     return [caution for caution in found if caution]
 
@@ -78,15 +85,22 @@ def _plastic_flow(contact: Contact, at: Scales) -> Caution | None:
     )
 
 
-def _turning_normal(at: Scales, crossing_velocity: float) -> Caution | None:
-    distance = sum(at.pair.radii_m)
-    turn = (crossing_velocity / distance) * at.contact_duration_s
-    if turn <= LARGEST_TURN:
+def _turning_normal(let_turn: Turned, tangential_velocity: float) -> Caution | None:
+    angle, lost, moved = let_turn
+    if lost <= LARGEST_CHANGE and moved <= LARGEST_CHANGE * tangential_velocity:
         return None
+    # beyond that ε_t, over so small a velocity before, says nothing
+    of_epsilon = moved <= 10.0 * tangential_velocity
+    sideways = (
+        f"move ε_t by up to {_short(moved / tangential_velocity, 2)}"
+        if of_epsilon
+        else f"leave a tangential velocity of up to {_short(moved, 2)} m/s"
+    )
     return Caution(
         "oblique",
-        f"the normal turns by {_short(turn)} rad during the contact, so oblique is the impact; the "
-        "model keeps it fixed",
+        f"the normal, which the model keeps fixed, turns by {_short(angle, 2)} rad during the "
+        f"contact: let turn, it would take about {_short(lost, 2)} from ε_n, seen along the first "
+        f"normal, and {sideways}",
     )
 
 
@@ -102,7 +116,22 @@ def _stiffness(at: Scales) -> Caution | None:
     )
 
 
-def _short(value: float) -> str:
-    """Return three digits as they are written by hand: 2,480, or 4.03e8."""
-    mantissa, _, power = f"{float(f'{value:.3g}'):,g}".partition("e")
+def _hollow(contact: Contact) -> Caution | None:
+    shells = [
+        body
+        for body in (contact.body_1, contact.body_2)
+        if isinstance(body, Sphere) and body.inertia == "hollow"
+    ]
+    if not shells:
+        return None
+    return Caution(
+        "hollow",
+        "a hollow sphere has the moment of inertia of a thin shell, but the contact of a solid "
+        "body (Hertz): a shell gives way by bending, too, and is softer",
+    )
+
+
+def _short(value: float, digits: int = 3) -> str:
+    """Return some digits as they are written by hand: 2,480, or 4.03e8."""
+    mantissa, _, power = f"{float(f'{value:.{digits}g}'):,g}".partition("e")
     return f"{mantissa}e{int(power)}" if power else mantissa
