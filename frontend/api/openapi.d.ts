@@ -771,14 +771,17 @@ export interface components {
         };
         /**
          * Needed
-         * @description Steps per contact from which on an error is met.
+         * @description Steps per contact from which on an error is met by every number of steps that was tried.
          *
          *     Attributes
          *     ----------
          *     p95, worst : int, or None
-         *         The smallest rung that meets the error, as do all above it, in 95 % of contacts and in all.
+         *         The smallest of them, in 95 % of contacts and in all.
          *     reason : str, or None
          *         Why one of them is None.
+         *     p95_tried, worst_tried : Tried, or None
+         *         What was tried about each: up to twice the rung of the ladder from which on all rungs meet
+         *         the error. Beyond, the rungs alone were tried.
          */
         Needed: {
             /** P95 */
@@ -787,6 +790,8 @@ export interface components {
             worst: number | null;
             /** Reason */
             reason: string | null;
+            p95_tried: components["schemas"]["Tried"] | null;
+            worst_tried: components["schemas"]["Tried"] | null;
         };
         /**
          * Paper
@@ -1355,6 +1360,20 @@ export interface components {
             rows: components["schemas"]["Row"][];
             /** Can Be Measured Anew */
             can_be_measured_anew: boolean;
+        };
+        /**
+         * Tried
+         * @description Numbers of steps that were tried about an answer: `count` of those from `first` to `last`.
+         *
+         *     With `count` = `last` − `first` + 1 it is every one, otherwise they lie evenly in the logarithm.
+         */
+        Tried: {
+            /** First */
+            first: number;
+            /** Last */
+            last: number;
+            /** Count */
+            count: number;
         };
         /**
          * TypedArray

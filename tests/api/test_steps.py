@@ -17,7 +17,9 @@ def test_answer_holds_together(service):
     rows = list(zip(answer["integrator"], answer["steps"], answer["error_max"], strict=True))
     for integrator in INTEGRATORS:
         needed = answer["needed"][integrator]
-        assert needed.keys() == {"p95", "worst", "reason"}
+        assert needed.keys() == {"p95", "worst", "reason", "p95_tried", "worst_tried"}
+        tried = needed["worst_tried"]
+        assert tried["first"] <= needed["worst"] <= tried["last"]
         later = [e for i, n, e in rows if i == integrator and n >= needed["worst"]]
         assert max(later) <= 1e-3
         assert answer["rule"][integrator].keys() == {"error_median", "error_p95", "error_max"}
@@ -80,6 +82,7 @@ def test_table_of_the_ladder_has_every_form(service):
     with np.load(io.BytesIO(service.get("/steps", **COLLISION, format="npz").content)) as arrays:
         assert arrays["steps"].tolist() == answer["steps"]
         assert arrays["needed.forward_euler.p95"] == answer["needed"]["forward_euler"]["p95"]
+        assert arrays["needed.forward_euler.p95_tried.last"] > answer["stability_limit"]
     typed = service.answer("/steps", **COLLISION, encoding="base64")
     assert typed["steps"]["dtype"] == "i4"
     assert typed["integrator"] == answer["integrator"]

@@ -106,6 +106,9 @@ def test_the_calculator_tells_what_the_api_tells(
         row = used_tab.get_by_test_id("steps").locator("tbody tr").first
         shown = [cell.replace("\u202f", "") for cell in row.locator("td").all_inner_texts()]
         assert shown == [str(steps) for steps in wanted]
+        tried = here["worst_tried"]
+        note = used_tab.get_by_test_id("steps").locator("p")
+        expect(note).to_contain_text(f"numbers from {tried['first']} to {tried['last']} were tried")
 
     eventually(numbers_agree, used_tab)
 

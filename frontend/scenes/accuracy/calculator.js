@@ -62,11 +62,25 @@ function tableOf({ here, there, region }) {
 function noteOf({ here, there }) {
   const [own, general] = [here.rule, there.rule];
   return [
-    "So many steps per contact keep the error in 95 % or in all of the contacts, which begin at any instant within a step.",
+    `So many steps per contact, and all larger numbers that were tried, keep the error in 95 % or in all of the contacts, which begin at ${here.phases} instants within a step (those of the region at ${there.phases}).`,
+    triedOf(here.needed.velocity_verlet.worst_tried),
     `Fewer than √κ t_c/2 = ${significant(here.stability_limit, 3)} are unstable here.`,
     `The rule of 50 √κ, with velocity Verlet, takes ${Math.round(own.steps_max)} and errs by up to ${inError(own.velocity_verlet.error_max)};`,
     `in the region it errs by less than ${inError(general.velocity_verlet.error_p95)} in 95 %, by ${inError(general.velocity_verlet.error_max)} at worst.`,
   ].join(" ");
+}
+
+/**
+ * How closely it was tried about the answer in the first row.
+ * @param {StepsAnswer["needed"][string]["worst_tried"]} tried
+ */
+function triedOf(tried) {
+  if (tried === null) {
+    return "Tried were those of a ladder by factors of √2.";
+  }
+  const { first, last, count } = tried;
+  const numbers = count === last - first + 1 ? "all numbers" : `${count} numbers`;
+  return `For velocity Verlet, here, ${numbers} from ${first} to ${last} were tried, and beyond them a ladder by factors of √2.`;
 }
 
 /** @param {number | null} steps */

@@ -83,9 +83,11 @@ ROUTE_COLUMNS = (
 STEPS = """
 ## Steps per contact for a wanted error
 
-The smallest rung of a ladder by factors of √2, up to 65,536, from which on every rung keeps the
-error: for 95 % of 1,024 contacts (128 collisions of the scene, each from eight instants within a
-step), and for all of them. `/api/v1/steps` measures it for any error, region or single collision.
+The number of steps from which on every one that was tried keeps the error: for 95 % of 1,024
+contacts (128 collisions of the scene, each from eight instants within a step), and for all of
+them; a larger sample, as below, may have worse ones. Tried were the rungs of a ladder by factors of
+√2, up to 65,536, and numbers up to twice the answer: each of them as far as 512, some of larger
+ones. `/api/v1/steps` measures it for any error, region or single collision, and says what it tried.
 Velocity Verlet and symplectic Euler are one here.
 
 """

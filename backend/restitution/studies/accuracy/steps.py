@@ -1,6 +1,7 @@
-"""How many steps per contact a wanted error takes: measured on a ladder of step counts."""
+"""How many steps per contact a wanted error takes: measured, on a ladder and about the answer."""
 
 import itertools
+from collections.abc import Iterable
 from dataclasses import astuple, dataclass, fields
 
 import numpy as np
@@ -30,12 +31,22 @@ RULE = 50.0
 MOST_STEPS = 1_000_000
 """Up to which the rule is tried, as in ``GET /map``."""
 
+ABOUT_AN_ANSWER = 120_000
+"""Sum of the numbers of steps that are tried about an answer, half as many as those of the ladder.
+So every one is tried up to 512, one in seven from 724 to 1448, ten from 8192 on."""
+
 TWINS = {"symplectic_euler": "velocity_verlet"}
 """Integrator → another one with the same ε_t: no force acts before or after a contact, so that
 half a kick more or less at its ends is none. A test holds it; here it saves a third."""
 
 Parts = list[tuple[float, Reference]]
 """Collisions by their η."""
+
+Rung = tuple[str, int]
+"""Integrator and steps per contact."""
+
+PARTS = ("error_p95", "error_max")
+"""Of a `Spread`, what is to be met."""
 
 
 @dataclass(frozen=True)
@@ -48,20 +59,37 @@ class Spread:
 
 
 @dataclass(frozen=True)
+class Tried:
+    """Numbers of steps that were tried about an answer: `count` of those from `first` to `last`.
+
+    With `count` = `last` − `first` + 1 it is every one, otherwise they lie evenly in the logarithm.
+    """
+
+    first: int
+    last: int
+    count: int
+
+
+@dataclass(frozen=True)
 class Needed:
-    """Steps per contact from which on an error is met.
+    """Steps per contact from which on an error is met by every number of steps that was tried.
 
     Attributes
     ----------
     p95, worst : int, or None
-        The smallest rung that meets the error, as do all above it, in 95 % of contacts and in all.
+        The smallest of them, in 95 % of contacts and in all.
     reason : str, or None
         Why one of them is None.
+    p95_tried, worst_tried : Tried, or None
+        What was tried about each: up to twice the rung of the ladder from which on all rungs meet
+        the error. Beyond, the rungs alone were tried.
     """
 
     p95: int | None
     worst: int | None
     reason: str | None
+    p95_tried: Tried | None
+    worst_tried: Tried | None
 
 
 @dataclass(frozen=True)
@@ -137,29 +165,39 @@ def study_steps(error: float, where: CollisionParameters | SceneName) -> StepsSt
         phases = SINGLE_PHASES
     parts = truth.by_damping()
     integrators = [name for name in INTEGRATORS if name not in TWINS]
-    rungs = list(itertools.product(integrators, LADDER))
-    # the longest first, so that no thread is left with it at the end
-    spreads = dict(
-        in_threads(
-            lambda rung: (rung, _spread(parts, rung[0], rung[1], phases)),
-            sorted(rungs, key=lambda rung: -rung[1]),
+
+    def measured(rungs: Iterable[Rung]) -> dict[Rung, Spread]:
+        # the longest first, so that no thread is left with it at the end
+        longest_first = sorted(rungs, key=lambda rung: -rung[1])
+        return dict(
+            in_threads(lambda rung: (rung, _spread(parts, rung[0], rung[1], phases)), longest_first)
         )
-    )
+
+    spreads = measured(itertools.product(integrators, LADDER))
+    about = {
+        (integrator, part): _about(error, [spreads[integrator, n] for n in LADDER], part)
+        for integrator in integrators
+        for part in PARTS
+    }
+    closer = {(name, n) for (name, _), numbers in about.items() for n in numbers}
+    spreads |= measured(closer - spreads.keys())
     by_rule = np.maximum(LADDER[0], np.ceil(RULE * np.sqrt(truth.kappa)))
-    ladder = [
-        (i, n, spreads[TWINS.get(i, i), n]) for i, n in itertools.product(INTEGRATORS, LADDER)
-    ]
+    needed = {
+        name: _needed(
+            error,
+            {n: spread for (other, n), spread in spreads.items() if other == name},
+            {part: about[name, part] for part in PARTS},
+        )
+        for name in integrators
+    }
     return StepsStudy(
         truth.kappa.size,
         phases,
         max(float(np.sqrt(part.kappa.max())) * contact_duration(eta) / 2.0 for eta, part in parts),
-        {
-            i: _needed(error, [spread for name, _, spread in ladder if name == i])
-            for i in INTEGRATORS
-        },
+        {name: needed[TWINS.get(name, name)] for name in INTEGRATORS},
         (float(by_rule.min()), float(by_rule.max())),
         _by_rule(truth, by_rule, integrators),
-        ladder,
+        [(i, n, spreads[TWINS.get(i, i), n]) for i, n in itertools.product(INTEGRATORS, LADDER)],
     )
 
 
@@ -206,20 +244,38 @@ def _by_rule(truth: Reference, steps: FloatArray, integrators: list[str]) -> dic
     return {name: spreads[TWINS.get(name, name)] for name in INTEGRATORS}
 
 
-def _needed(error: float, ladder: list[Spread]) -> Needed:
-    p95 = _first(error, [spread.error_p95 for spread in ladder])
-    worst = _first(error, [spread.error_max for spread in ladder])
+def _about(error: float, ladder: list[Spread], part: str) -> list[int]:
+    """Return the numbers of steps to be tried about the rung from which on all meet `error`.
+
+    They end at a rung that meets it; none if no rung does.
+    """
+    met = [getattr(spread, part) <= error for spread in ladder]
+    tail = len(list(itertools.takewhile(bool, reversed(met))))
+    if not tail:
+        return []
+    at = len(LADDER) - tail
+    last = LADDER[min(at + 2, len(LADDER) - 1)]
+    every = range(LADDER[at - 1] + 1 if at else LADDER[0], last + 1)
+    if sum(every) <= ABOUT_AN_ANSWER:
+        return [*every]
+    count = 2 * ABOUT_AN_ANSWER // (LADDER[at] + last)
+    some = np.geomspace(LADDER[at], last, max(count, 2)).round().astype(int).tolist()
+    return sorted({*some, *LADDER[at : at + 3]})
+
+
+def _needed(error: float, spreads: dict[int, Spread], about: dict[str, list[int]]) -> Needed:
+    """Return from where on `error` is met, by what was measured of one integrator."""
+
+    def first(part: str) -> int | None:
+        failing = [n for n in about[part] if getattr(spreads[n], part) > error]
+        return next((n for n in about[part] if n > max(failing, default=0)), None)
+
     reason = None
-    if worst is None:
+    if not about["error_max"]:
+        top = spreads[LADDER[-1]]
         reason = (
             f"at {LADDER[-1]:,} steps per contact, the most that are tried, the error is still "
-            f"{ladder[-1].error_p95:.1e} at p95 and {ladder[-1].error_max:.1e} at worst"
+            f"{top.error_p95:.1e} at p95 and {top.error_max:.1e} at worst"
         )
-    return Needed(p95, worst, reason)
-
-
-def _first(error: float, measured: list[float | None]) -> int | None:
-    """Return the first rung from which on all meet `error`."""
-    met = [value is not None and value <= error for value in measured]
-    tail = list(itertools.takewhile(bool, reversed(met)))
-    return LADDER[-len(tail)] if tail else None
+    tried = [Tried(part[0], part[-1], len(part)) if part else None for part in about.values()]
+    return Needed(first("error_p95"), first("error_max"), reason, *tried)

@@ -27,7 +27,7 @@ from restitution.studies.accuracy.candidates import (
 )
 from restitution.studies.accuracy.reference import Reference, reference
 from restitution.studies.accuracy.scenes import SCENES, SceneName
-from restitution.studies.accuracy.steps import Needed, Spread, study_steps
+from restitution.studies.accuracy.steps import Needed, Spread, Tried, study_steps
 from restitution.studies.collision.dampings import by_damping
 
 REPEATS = 5
@@ -285,13 +285,21 @@ def stored_measurement(scene: SceneName) -> Measurement:
     steps = [
         WantedError(
             wanted["error"],
-            {name: Needed(**needed) for name, needed in wanted["needed"].items()},
+            {name: _kept(needed) for name, needed in wanted["needed"].items()},
             {name: Spread(**spread) for name, spread in wanted["rule"].items()},
             (wanted["rule_steps"][0], wanted["rule_steps"][1]),
         )
         for wanted in stored["steps"]
     ]
     return Measurement(**stored | {"steps": steps, "rows": [Row(**row) for row in stored["rows"]]})
+
+
+def _kept(needed: dict[str, Any]) -> Needed:
+    tried = {
+        name: Tried(**needed[name]) if needed[name] else None
+        for name in ("p95_tried", "worst_tried")
+    }
+    return Needed(**needed | tried)
 
 
 def store_tradeoff(measurement: Measurement, target: Path = STORED) -> None:
