@@ -291,9 +291,9 @@ export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(g
       return (await get(`${base}/tradeoff/runs/${id}`, undefined, { method: "DELETE" })).body;
     },
 
-    /** @returns {Promise<import("../state/paper.js").Statement[]>} */
+    /** @returns {Promise<import("../state/paper.js").Paper>} */
     async paper() {
-      return (await get(`${base}/paper`)).body.items;
+      return (await get(`${base}/paper`)).body;
     },
 
     /**

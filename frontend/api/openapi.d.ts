@@ -490,6 +490,26 @@ export interface components {
             tolerance_met: boolean[];
         };
         /**
+         * Correction
+         * @description One point on which the paper is corrected.
+         *
+         *     Attributes
+         *     ----------
+         *     id : str
+         *     text : str
+         *         What is right, in a sentence.
+         *     statements : tuple of str
+         *         `id` of those that hold with it.
+         */
+        Correction: {
+            /** Id */
+            id: string;
+            /** Text */
+            text: string;
+            /** Statements */
+            statements: string[];
+        };
+        /**
          * Cut
          * @description Quantities asked for along one parameter.
          */
@@ -780,8 +800,8 @@ export interface components {
          *     reason : str, or None
          *         Why one of them is None.
          *     p95_tried, worst_tried : Tried, or None
-         *         What was tried about each: up to twice the rung of the ladder from which on all rungs meet
-         *         the error. Beyond, the rungs alone were tried.
+         *         What was tried about each: from the rung of the ladder from which on all rungs meet the
+         *         error to twice that. Beyond, the rungs alone were tried.
          */
         Needed: {
             /** P95 */
@@ -800,6 +820,16 @@ export interface components {
         Paper: {
             /** Items */
             items: components["schemas"]["Item"][];
+            /**
+             * Corrections
+             * @description distinct points on which statements are corrected
+             */
+            corrections: components["schemas"]["Correction"][];
+            /**
+             * Definitions
+             * @description `id` of statements that define, so that they cannot fail
+             */
+            definitions: string[];
         };
         /**
          * Parameters

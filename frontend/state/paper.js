@@ -5,6 +5,8 @@
  * @typedef {"equation" | "figure" | "number" | "claim"} Kind
  * @typedef {"holds" | "corrected" | "fails"} Verdict
  * @typedef {{id: string, kind: Kind, section: string, printed: string, computed: string, verdict: Verdict, evidence: string, link: string}} Statement
+ * @typedef {{id: string, text: string, statements: string[]}} Correction one point, and what it mends
+ * @typedef {{items: Statement[], corrections: Correction[], definitions: string[]}} Paper
  */
 
 /**
@@ -70,13 +72,13 @@ export function grouped(statements, { paper_verdict: verdict, paper_kind: kind }
 
 /**
  * How many there are of each verdict, as a sentence.
- * @param {Statement[]} statements
+ * @param {Paper} paper
  */
-export function countOf(statements) {
+export function countOf({ items, corrections, definitions }) {
   const [holds, corrected, fails] = VERDICTS.map(
-    ({ id }) => statements.filter(({ verdict }) => verdict === id).length,
+    ({ id }) => items.filter(({ verdict }) => verdict === id).length,
   );
-  return `${holds} hold, ${corrected} hold with a correction, ${fails} do not.`;
+  return `${holds} hold, ${definitions.length} of them as definitions; ${corrected} hold with a correction, ${corrections.length} different ones in all; ${fails} do not.`;
 }
 
 /**

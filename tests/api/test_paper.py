@@ -27,6 +27,16 @@ def test_items_have_the_contracts_fields(items):
         assert item["link"].startswith("?")
 
 
+def test_corrections_and_definitions_name_their_statements(service, items):
+    answer = service.answer("/paper")
+    assert answer.keys() == {"items", "corrections", "definitions"}
+    verdicts = {item["id"]: item["verdict"] for item in items}
+    mended = [name for point in answer["corrections"] for name in point["statements"]]
+    assert len(mended) == list(verdicts.values()).count("corrected")
+    assert {verdicts[name] for name in mended} == {"corrected"}
+    assert {verdicts[name] for name in answer["definitions"]} == {"holds"}
+
+
 def test_paper_has_every_form(service, items):
     rows = list(csv.DictReader(io.StringIO(service.get("/paper", format="csv").text)))
     assert rows == items

@@ -26,7 +26,8 @@ def open_scene(page: Page, options: str = "") -> None:
 def test_every_statement_stands_there_with_its_verdict(used_tab: Page, server: str):
     witness = Witness(used_tab, server)
     open_scene(used_tab)
-    items = ask(server, "paper")["items"]
+    paper = ask(server, "paper")
+    items = paper["items"]
     shown = used_tab.locator(".statement")
     expect(shown).to_have_count(len(items))
     found = shown.evaluate_all(
@@ -37,10 +38,13 @@ def test_every_statement_stands_there_with_its_verdict(used_tab: Page, server: s
     verdicts = {item["id"]: item["verdict"] for item in items}
     assert {name for name, _ in found} == verdicts.keys()
     for name, said in found:
-        assert re.sub(r"\s+", " ", said) == f"{marks[verdicts[name]]} {words[verdicts[name]]}"
+        defines = ", a definition" if name in paper["definitions"] else ""
+        expected = f"{marks[verdicts[name]]} {words[verdicts[name]]}{defines}"
+        assert re.sub(r"\s+", " ", said) == expected
     counts = [sum(v == verdict for v in verdicts.values()) for verdict in words]
     expect(used_tab.get_by_test_id("paper-count")).to_have_text(
-        f"{counts[0]} hold, {counts[1]} hold with a correction, {counts[2]} do not."
+        f"{counts[0]} hold, {len(paper['definitions'])} of them as definitions; {counts[1]} hold "
+        f"with a correction, {len(paper['corrections'])} different ones in all; {counts[2]} do not."
     )
     witness.assert_silence()
 
@@ -56,7 +60,8 @@ def test_printed_and_computed_are_set_as_symbols(used_tab: Page, server: str):
     everything = used_tab.get_by_test_id("paper-list").inner_text()
     assert not re.search(r"[\^{}]|\w_\w", everything), "a symbol that is not set"
     shown.locator("summary").click()
-    expect(shown.locator("details p")).to_be_visible()
+    expect(shown.locator("details p")).to_have_count(2)
+    expect(shown.locator("details p").last).to_contain_text("one for 5 statements")
 
 
 def test_the_list_is_loaded_only_when_the_scene_is_shown(page: Page, server: str):

@@ -1,8 +1,10 @@
 """The paper, statement by statement: what is printed, what comes out, and a computed verdict."""
 
 import functools
+from dataclasses import replace
 
 from restitution.paper.conclusion_claims import CONCLUSION_CLAIMS
+from restitution.paper.corrections import DEFINITIONS, Correction, distinct_corrections
 from restitution.paper.equations import EQUATIONS
 from restitution.paper.figures import FIGURES
 from restitution.paper.item import Item
@@ -15,7 +17,7 @@ from restitution.paper.sliding_equations import SLIDING_EQUATIONS
 from restitution.paper.stiff_claims import STIFF_CLAIMS
 from restitution.paper.switching_claims import SWITCHING_CLAIMS
 
-__all__ = ["Item", "study_paper"]
+__all__ = ["DEFINITIONS", "Correction", "Item", "distinct_corrections", "study_paper"]
 
 STATEMENTS = (
     *EQUATIONS,
@@ -46,4 +48,13 @@ def study_paper() -> tuple[Item, ...]:
     >>> [item.verdict for item in study_paper() if item.id == "equation-27"]
     ['corrected']
     """
-    return tuple(statement() for statement in STATEMENTS)
+    return tuple(_named(statement()) for statement in STATEMENTS)
+
+
+def _named(item: Item) -> Item:
+    """Return an item whose evidence says so if it is a definition."""
+    if item.id not in DEFINITIONS:
+        return item
+    return replace(
+        item, evidence=f"A definition: what is checked is that it is meant here. {item.evidence}"
+    )

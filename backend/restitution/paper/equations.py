@@ -282,11 +282,11 @@ def equation_8() -> Item:
         8,
         "2",
         "F_t = −sgn(g_t) μ F_n while the particles slide",
-        f"the size is μF_n within {number(off, 1)}, but in {number(100.0 * share, 2)} % of the "
-        "sliding time the surfaces already move back and the force still has the sign of the "
-        "spring: −sgn(ζ), as in Eq. 10",
+        f"the size is μF_n within {number(off, 1)}, but in {number(100.0 * share, 1)} % of the "
+        "sliding time of 60 random collisions the surfaces already move back and the force still "
+        "has the sign of the spring: −sgn(ζ), as in Eq. 10",
         judged(printed=off < ROUNDING and share == 0.0, corrected=off + wrong_way < ROUNDING),
-        "60 random collisions. In decompression the cap falls faster than the spring relaxes, so "
+        "In decompression the cap falls faster than the spring relaxes, so "
         "that it stays at the cap while g_t turns. In Sect. 3, where g_t keeps its sign, Eq. 8 "
         "holds as printed.",
         shown(KAPPA, 1.25),
@@ -305,7 +305,8 @@ def equation_9() -> Item:
         "2",
         "ζ(t) = ∫₀^{t} g_t dt′",
         f"dζ/dt = g_t holds within {number(sticking, 1)} while the contact sticks; while it "
-        f"slides they are up to {number(sliding, 2)} apart, for the spring is held at the cap. "
+        f"slides they are apart, up to {number(sliding, 2)} in 60 collisions, for the spring is "
+        "held at the cap. "
         f"Taken throughout, Eq. 9 changes ε_t by up to {number(apart, 2)}",
         judged(printed=apart < SOLVER, corrected=sticking < SLOPE and agrees < 100.0 * SOLVER),
         "Difference quotients in 60 collisions; an adaptive solver with the spring held at the "

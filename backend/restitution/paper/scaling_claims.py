@@ -6,7 +6,7 @@ import numpy as np
 
 from restitution.mechanics.collision import collide
 from restitution.mechanics.contact import contact_duration
-from restitution.mechanics.hertz import CONTACT_DURATION
+from restitution.mechanics.hertz import CONTACT_DURATION, FloatArray
 from restitution.mechanics.limits import coulomb_restitution
 from restitution.methods.exact import known
 from restitution.paper.figures import FASTEST, SAME, steel_surface
@@ -16,11 +16,14 @@ from restitution.paper.samples import (
     MU_OVER_ALPHA,
     PRINTED_KAPPA,
     SEED,
+    last,
+    maximum,
     motions,
     normal,
     steel,
     stepped,
 )
+from restitution.paper.scaled_equations import GOOD_ACCURACY, plateau
 from restitution.paper.sliding_claims import claim
 from restitution.studies.spheres.collision import study_scaling
 from restitution.studies.spheres.contact import Contact, scales
@@ -49,10 +52,12 @@ def deviates_at_small_tangential_velocity() -> Item:
     """Return where Fig. 2 deviates."""
     at = scales(steel(), 100.0)
     psis = np.geomspace(1e-5, 2.0, 4000)
-    epsilon_t = collide(at.kappa, psis).epsilon_t
-    apart = np.abs(epsilon_t - coulomb_restitution(psis)) > SAME
-    ratio = float(psis[apart].max()) * MU_OVER_ALPHA
-    below = float(psis[epsilon_t < -SAME].max()) * MU_OVER_ALPHA
+
+    def apart(psi: FloatArray) -> np.ndarray:
+        return np.abs(collide(at.kappa, psi).epsilon_t - coulomb_restitution(psi)) > SAME
+
+    ratio = MU_OVER_ALPHA * last(apart, psis)
+    below = MU_OVER_ALPHA * last(lambda psi: collide(at.kappa, psi).epsilon_t < -SAME, psis)
     return claim(
         "deviates-at-small-gt",
         "4.1",
@@ -60,15 +65,16 @@ def deviates_at_small_tangential_velocity() -> Item:
         f"at g_n = 100 m/s (κ = {number(at.kappa, 4)}) more than {SAME} apart only for g_t < "
         f"{number(100.0 * ratio, 2)} m/s; below −{SAME} for g_t < {number(100.0 * below, 2)} m/s",
         judged(printed=ratio < 0.1 and below <= ratio),
-        "4000 collisions down to g_t = 1 mm/s.",
+        "4000 collisions down to g_t = 1 mm/s, and more about these places.",
         scene(scene="spheres", normal_velocity_m_s="100", tangential_velocity_m_s="0.5"),
     )
 
 
 def plateau_without_cut_off() -> Item:
     """Return that the plateau comes from the motion."""
-    ratios = np.linspace(0.1, 1.99, 500)
-    highest = float(np.max(np.abs(collide(scales(steel(), 100.0).kappa, ratios).epsilon_t)))
+    kappa = scales(steel(), 100.0).kappa
+    psis = np.geomspace(0.1, 1.99, 1000)
+    highest, _ = maximum(lambda psi: np.abs(collide(kappa, psi).epsilon_t), psis)
     return claim(
         "plateau-without-cut-off",
         "4.1",
@@ -76,7 +82,8 @@ def plateau_without_cut_off() -> Item:
         f"|ε_t| ≤ {number(highest, 1)} for ψ in 0.1…1.99 at g_n = 100 m/s, where Eq. 15 would "
         f"have {number(1.0 - 2.0 / 0.1, 2)} … −0.005",
         judged(printed=highest < SAME),
-        "500 exact collisions. What cuts off is the dissipation of the last swings, see Eq. 27.",
+        "1000 exact collisions, and more about the largest. What cuts off is the dissipation of "
+        "the last swings, see Eq. 27.",
         scene(scene="spheres", normal_velocity_m_s="100", tangential_velocity_m_s="100"),
     )
 
@@ -135,27 +142,40 @@ def no_interference() -> Item:
 
 def three_parameters() -> Item:
     """Return that three scaled parameters suffice."""
-    random = np.random.default_rng(SEED)
+    first = steel(stiffness=5e7)
     worst = 0.0
-    for velocity in (2.0, 15.0):
-        first = steel(stiffness=5e7)
-        at = scales(first, velocity)
-        tangential = float(random.uniform(0.3, 2.0)) * velocity
-        other = Contact(first.body_1, first.body_2, 0.4, 5e7 * (3.0 / velocity) ** 0.4)
-        same = study_scaling(other, Velocities(3.0, tangential * 3.0 / velocity)).epsilon_t
-        worst = max(
-            worst, abs(same - study_scaling(first, Velocities(velocity, tangential)).epsilon_t)
-        )
-        assert abs(scales(other, 3.0).kappa / at.kappa - 1.0) < 1e-9
+    for velocity, ratio in ((2.0, 0.7), (15.0, 1.6)):
+        other = steel(stiffness=5e7 * (3.0 / velocity) ** 0.4)
+        assert abs(scales(other, 3.0).kappa / scales(first, velocity).kappa - 1.0) < 1e-9
+        pair = _in_si(first, velocity, ratio), _in_si(other, 3.0, ratio)
+        worst = max(worst, abs(pair[0] - pair[1]))
     return claim(
         "three-parameters",
         "4.2",
         "five parameters and two velocities reduce to three: μ/α, κ, g_t/g_n",
         f"impacts in SI units with the same three have the same ε_t within {number(worst, 1)}",
         judged(printed=worst < 1e-9),
-        "Two pairs of impacts at 2, 15 and 3 m/s with k_t adapted; see also Eq. 21.",
+        "Two pairs of impacts at 2, 15 and 3 m/s with k_t adapted, Eq. 17 in 2000 time steps of "
+        "newtons, metres and seconds.",
         scene(scene="spheres"),
     )
+
+
+def _in_si(contact: Contact, g_n: float, gt_over_gn: float) -> float:
+    """Return ε_t of an impact in time steps of Eq. 17, in newtons, metres and seconds."""
+    both = contact.pair
+    inertia = both.alpha * both.effective_mass_kg
+    at = scales(contact, g_n)
+    depth, rate, forces = 0.0, g_n, []
+    dt = at.contact_duration_s / 2000
+    for _ in range(2000):
+        rate -= dt * at.beta * max(depth, 0.0) ** 1.5
+        depth += dt * rate
+        forces.append(both.effective_mass_kg * at.beta * max(depth, 0.0) ** 1.5)
+    caps = contact.friction_coefficient / inertia * np.array(forces)
+    stiffness = at.tangential_stiffness_n_per_m / inertia
+    final, _ = stepped(stiffness, gt_over_gn * g_n, np.full(2000, dt), caps)
+    return final / (gt_over_gn * g_n)
 
 
 def three_independent() -> Item:
@@ -192,7 +212,9 @@ def oscillations() -> Item:
     weak = collide(kappas, 0.003).epsilon_t
     strong = collide(kappas, 1.5).epsilon_t
     turns = [int(np.sum(values[1:] * values[:-1] < 0.0)) for values in (weak, strong)]
-    size = float(np.max(np.abs(strong[kappas > PRINTED_KAPPA])))
+    size, _ = maximum(
+        lambda kappa: np.abs(collide(kappa, 1.5).epsilon_t), kappas[kappas > PRINTED_KAPPA]
+    )
     return claim(
         "oscillations",
         "4.2",
@@ -206,22 +228,26 @@ def oscillations() -> Item:
 
 
 def small_at_large_velocities() -> Item:
-    """Return ε_t for large velocities."""
+    """Return where ε_t is small, and for which large velocities it is not."""
     psis = np.array([2.0, 2.5, 5.0, 20.0])
     values = collide(KAPPA, psis).epsilon_t
     listed = ", ".join(
         f"{number(value, 2)} ({number(psi * MU_OVER_ALPHA, 2)})"
         for psi, value in zip(psis, values, strict=True)
     )
+    level = plateau(1000.0)
     return claim(
         "small-at-large-velocities",
         "4.2",
         "for sufficiently large g_t or g_n ε_t is very small, ε_t ≈ 0",
-        "large g_n, so small g_t/g_n at fixed g_t, leads into the plateau; large g_t does not: "
-        f"ε_t = {listed} at g_t/g_n in brackets, and 1 for g_t → ∞",
-        judged(printed=float(np.max(values)) < SAME, corrected=False),
-        f"Exact, κ = {number(KAPPA, 2)}; it is Eq. 15 from 2μ/α on. What holds is that |ε_t| is "
-        "small from about μ/(α√κ) up to 2μ/α (Eq. 30).",
+        "|ε_t| is small for g_t/g_n from about μ/(α√κ) up to 2μ/α (Eq. 30), below "
+        f"{number(level, 2)} at κ = 1000: large g_n lead into that range, large g_t out of it, ε_t "
+        f"= {listed} at g_t/g_n in brackets, and 1 for g_t → ∞",
+        judged(
+            printed=float(np.max(values)) < SAME,
+            corrected=level < GOOD_ACCURACY and abs(float(values[0])) < SAME,
+        ),
+        f"Exact, κ = {number(KAPPA, 2)}; it is Eq. 15 from 2μ/α on.",
         shown(KAPPA, 2.8),
     )
 

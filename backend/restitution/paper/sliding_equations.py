@@ -144,7 +144,7 @@ def equation_15() -> Item:
         "3",
         "ε_t = 1 − (μ(1 + ε_n)/α) g_n/g_t in pure sliding",
         f"exact for the {int(slides.sum()):,} of 20,000 random collisions that slide throughout "
-        f"(within {number(off, 1)}); they all have ψ = (α/μ)g_t/g_n ≥ {number(least, 4)}",
+        f"(within {number(off, 1)}); they all have ψ = (α/μ)g_t/g_n ≥ {number(least, 3)}",
         judged(printed=off < ROUNDING and least >= 2.0),
         "A = 0, so ε_n = 1; that a collision slides throughout is found from its spring.",
         shown(KAPPA, 2.5),

@@ -97,7 +97,7 @@ def steps(
     Examples
     --------
     >>> steps(1e-2, 63, 1.4, 1.358).needed["velocity_verlet"].worst
-    24
+    32
     """
     if kappa is not None and mu_over_alpha is not None and gt_over_gn is not None and not region:
         return study_steps(error, CollisionParameters(kappa, mu_over_alpha, gt_over_gn, damping))

@@ -15,7 +15,7 @@ from typing_extensions import TypeAliasType, TypedDict
 from restitution.bounds import annotations
 from restitution.methods.answer import AnsweringMethod
 from restitution.methods.options import OneMethod, Options
-from restitution.paper import Item
+from restitution.paper import Correction, Item
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
 from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
@@ -204,6 +204,12 @@ class Paper(TypedDict):
     """The paper, statement by statement."""
 
     items: list[Item]
+    corrections: Annotated[
+        list[Correction], Field(description="distinct points on which statements are corrected")
+    ]
+    definitions: Annotated[
+        list[str], Field(description="`id` of statements that define, so that they cannot fail")
+    ]
 
 
 Material = _described(

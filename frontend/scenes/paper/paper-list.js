@@ -6,6 +6,7 @@ import { typeset } from "../../widgets/typeset.js";
 
 /**
  * @typedef {import("../../state/paper.js").Statement} Statement
+ * @typedef {import("../../state/paper.js").Paper} Paper
  * @typedef {{paper_verdict: string, paper_kind: string}} Wanted
  */
 
@@ -35,12 +36,12 @@ export function mountPaperList(element, onOpen) {
 
   return {
     /**
-     * @param {Statement[]} statements
+     * @param {Paper} paper
      * @param {Wanted} wanted
      */
-    show(statements, wanted) {
-      byTestId("paper-count").textContent = countOf(statements);
-      const sections = grouped(statements, wanted);
+    show(paper, wanted) {
+      byTestId("paper-count").textContent = countOf(paper);
+      const sections = grouped(paper.items, wanted);
       element.replaceChildren(
         ...sections.map(({ id, title, kinds }) => {
           const section = made("section", "paper-section");
@@ -51,7 +52,7 @@ export function mountPaperList(element, onOpen) {
             heading,
             ...kinds.flatMap((kind) => [
               made("h4", "", kind.title),
-              ...kind.statements.map((one) => article(one, labelOf(one, statements))),
+              ...kind.statements.map((one) => article(one, paper)),
             ]),
           );
           return section;
@@ -66,9 +67,12 @@ export function mountPaperList(element, onOpen) {
 
 /**
  * @param {Statement} statement
- * @param {string} label
+ * @param {Paper} paper
  */
-function article({ id, printed, computed, verdict, evidence, link }, label) {
+function article(statement, { items, corrections, definitions }) {
+  const { id, printed, computed, verdict, evidence, link } = statement;
+  const label = labelOf(statement, items);
+  const correction = corrections.find(({ statements }) => statements.includes(id));
   const item = made("article", "statement");
   const name = made("h5", "", label);
   const texts = document.createElement("dl");
@@ -80,22 +84,30 @@ function article({ id, printed, computed, verdict, evidence, link }, label) {
   item.setAttribute("aria-labelledby", name.id);
   texts.append(...pair("printed", printed), ...pair("computed", computed));
   details.append(made("summary", "", "How it was decided"), set("p", evidence));
+  if (correction) {
+    const { text, statements } = correction;
+    const shared = statements.length > 1 ? `, one for ${statements.length} statements` : "";
+    details.append(set("p", `The correction${shared}: ${text}`));
+  }
   anchor.href = link;
   anchor.textContent = "Show it";
   anchor.setAttribute("aria-label", `Show it: ${label}`);
-  item.append(name, badge(verdict), texts, details, anchor);
+  item.append(name, badge(verdict, definitions.includes(id)), texts, details, anchor);
   return item;
 }
 
-/** @param {Statement["verdict"]} verdict */
-function badge(verdict) {
+/**
+ * @param {Statement["verdict"]} verdict
+ * @param {boolean} defines
+ */
+function badge(verdict, defines) {
   const { mark, word } = /** @type {typeof VERDICTS[number]} */ (
     VERDICTS.find(({ id }) => id === verdict)
   );
   const element = made("p", "verdict");
   const sign = made("span", "verdict-mark", mark);
   sign.setAttribute("aria-hidden", "true");
-  element.append(sign, word);
+  element.append(sign, defines ? `${word}, a definition` : word);
   return element;
 }
 

@@ -15,7 +15,7 @@ import { switchLawFigure, switchLawOf } from "./switch-law-figure.js";
 import { collapseTable, stiffLawTable, switchLawTable } from "./tables.js";
 
 /**
- * @typedef {import("../../state/paper.js").Statement} Statement
+ * @typedef {import("../../state/paper.js").Paper} Paper
  * @typedef {import("./collapse-figure.js").FrictionCurve} FrictionCurve
  * @typedef {import("./stiff-law-figure.js").StiffCut} StiffCut
  * @typedef {import("./switch-law-figure.js").SwitchLaw} SwitchLaw
@@ -40,8 +40,8 @@ export function mountPaper({ client, present, set, explain }) {
     stiffLaw: createPlot(byTestId("stiff-law"), stiffLawFigure),
     switchLaw: createPlot(byTestId("switch-law"), switchLawFigure),
   };
-  /** @type {{statements: Statement[] | null, collapse: FrictionCurve[] | null, stiffLaw: StiffCut[] | null, switchLaw: SwitchLaw | null}} */
-  const shown = { statements: null, collapse: null, stiffLaw: null, switchLaw: null };
+  /** @type {{paper: Paper | null, collapse: FrictionCurve[] | null, stiffLaw: StiffCut[] | null, switchLaw: SwitchLaw | null}} */
+  const shown = { paper: null, collapse: null, stiffLaw: null, switchLaw: null };
   const asked = new Set();
   let listed = "";
 
@@ -79,14 +79,14 @@ export function mountPaper({ client, present, set, explain }) {
   }
 
   function drawList() {
-    if (!shown.statements) {
+    if (!shown.paper) {
       return;
     }
     const { paper_verdict, paper_kind } = present();
     const wanted = `${paper_verdict} ${paper_kind}`;
     if (listed !== wanted) {
       listed = wanted;
-      list.show(shown.statements, { paper_verdict, paper_kind });
+      list.show(shown.paper, { paper_verdict, paper_kind });
     }
   }
 
@@ -103,8 +103,8 @@ export function mountPaper({ client, present, set, explain }) {
       if (state.scene !== "paper") {
         return;
       }
-      once("paper", client.paper, (statements) => {
-        shown.statements = statements;
+      once("paper", client.paper, (paper) => {
+        shown.paper = paper;
         drawList();
       });
       once("collapse", laws.load.collapse, (curves) => {

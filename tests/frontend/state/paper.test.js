@@ -49,8 +49,12 @@ test("grouped loses no statement and cuts down to a verdict and a kind", () => {
   assert.deepEqual(ids({ paper_kind: "figure" }), []);
 });
 
-test("countOf says how many there are of each verdict", () => {
-  assert.equal(countOf(STATEMENTS), "2 hold, 1 hold with a correction, 1 do not.");
+test("countOf says how many there are of each verdict, and how many corrections in all", () => {
+  const paper = { items: STATEMENTS, definitions: ["claim-a"], corrections: [{}] };
+  assert.equal(
+    countOf(paper),
+    "2 hold, 1 of them as definitions; 1 hold with a correction, 1 different ones in all; 1 do not.",
+  );
 });
 
 test("labelOf takes the paper's numbers, and ours where it has none", () => {

@@ -3,7 +3,7 @@
 from dataclasses import fields
 
 from restitution.api.calls import Calls
-from restitution.paper import Item, study_paper
+from restitution.paper import DEFINITIONS, Item, distinct_corrections, study_paper
 from restitution.wire import answers
 from restitution.wire.formats import Payload, Result
 from restitution.wire.queries import FormQuery
@@ -27,4 +27,9 @@ def paper(_: FormQuery) -> Result:
         names = [field.name for field in fields(Item)]
         return {name: [getattr(item, name) for item in items] for name in names}
 
-    return Result({"items": list(items)}, table, table)
+    payload = {
+        "items": list(items),
+        "corrections": list(distinct_corrections(items)),
+        "definitions": [item.id for item in items if item.id in DEFINITIONS],
+    }
+    return Result(payload, table, table)

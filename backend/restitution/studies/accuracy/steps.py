@@ -33,7 +33,7 @@ MOST_STEPS = 1_000_000
 
 ABOUT_AN_ANSWER = 120_000
 """Sum of the numbers of steps that are tried about an answer, half as many as those of the ladder.
-So every one is tried up to 512, one in seven from 724 to 1448, ten from 8192 on."""
+So every one is tried from 256 to 512, one in seven from 724 to 1448, ten from 8192 on."""
 
 TWINS = {"symplectic_euler": "velocity_verlet"}
 """Integrator → another one with the same ε_t: no force acts before or after a contact, so that
@@ -81,8 +81,8 @@ class Needed:
     reason : str, or None
         Why one of them is None.
     p95_tried, worst_tried : Tried, or None
-        What was tried about each: up to twice the rung of the ladder from which on all rungs meet
-        the error. Beyond, the rungs alone were tried.
+        What was tried about each: from the rung of the ladder from which on all rungs meet the
+        error to twice that. Beyond, the rungs alone were tried.
     """
 
     p95: int | None
@@ -245,22 +245,21 @@ def _by_rule(truth: Reference, steps: FloatArray, integrators: list[str]) -> dic
 
 
 def _about(error: float, ladder: list[Spread], part: str) -> list[int]:
-    """Return the numbers of steps to be tried about the rung from which on all meet `error`.
+    """Return the numbers of steps to be tried from the rung on from which on all meet `error`.
 
-    They end at a rung that meets it; none if no rung does.
+    They end at a rung as well; none if no rung meets it.
     """
     met = [getattr(spread, part) <= error for spread in ladder]
     tail = len(list(itertools.takewhile(bool, reversed(met))))
     if not tail:
         return []
-    at = len(LADDER) - tail
-    last = LADDER[min(at + 2, len(LADDER) - 1)]
-    every = range(LADDER[at - 1] + 1 if at else LADDER[0], last + 1)
+    rungs = LADDER[-tail:][:3]
+    every = range(rungs[0], rungs[-1] + 1)
     if sum(every) <= ABOUT_AN_ANSWER:
         return [*every]
-    count = 2 * ABOUT_AN_ANSWER // (LADDER[at] + last)
-    some = np.geomspace(LADDER[at], last, max(count, 2)).round().astype(int).tolist()
-    return sorted({*some, *LADDER[at : at + 3]})
+    count = max(2 * ABOUT_AN_ANSWER // (rungs[0] + rungs[-1]), 2)
+    some = np.geomspace(rungs[0], rungs[-1], count).round().astype(int).tolist()
+    return sorted({*some, *rungs})
 
 
 def _needed(error: float, spreads: dict[int, Spread], about: dict[str, list[int]]) -> Needed:
