@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import yaml
 
+from restitution.mechanics.collision import TOO_STIFF, collide
 from restitution.studies.accuracy.report import tradeoff_report
 from restitution.studies.accuracy.tradeoff import load_tradeoff
 
@@ -73,6 +74,18 @@ def test_pictures_of_the_walk_are_those_that_it_draws(walk):
         assert shape == again, picture
         # hundredths of a point, as other processors round otherwise
         np.testing.assert_allclose(numbers, others, atol=0.01, err_msg=picture.name)
+
+
+@pytest.mark.parametrize(("damping", "slope"), [(0.0, "4e-15"), (0.1, "1.3e-14"), (3.0, "1.3e-14")])
+def test_errors_are_bounded_as_the_readme_says(damping, slope):
+    assert f"{slope} (1 + √κ)" in README
+    random = np.random.default_rng(15)
+    kappa, psi = 10.0 ** random.uniform(-10, 8, 2000), 10.0 ** random.uniform(-10, 1, 2000)
+    found = collide(kappa, psi, damping, 300.0)
+    followed = found.switches != TOO_STIFF
+    assert followed.mean() > 0.9
+    bound = float(slope) * (1.0 + np.sqrt(kappa))
+    assert np.all(found.error_bound[followed] <= bound[followed])
 
 
 def test_citation_names_the_paper():

@@ -86,3 +86,6 @@ def test_150_time_steps_are_enough_and_20_have_the_wrong_sign(service):
     assert stepped(20)["epsilon_t"] * exact["epsilon_t"] < 0
     assert stepped(100)["error_bound"] > 1e-3 >= stepped(150)["error_bound"]
     assert stepped(70)["error_bound"] > stepped(50)["error_bound"]
+    assert stepped(209)["error_bound"] > 1e-3
+    enough = [*range(210, 420), 500, 700, 1000, 2000, 5000]
+    assert max(stepped(steps)["error_bound"] for steps in enough) < 1e-3

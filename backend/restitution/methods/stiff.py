@@ -11,9 +11,9 @@ from restitution.methods.options import Options, refuse_damping
 def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     """Return 1 − 2/ψ where the contact slides throughout, else 0, for collisions (N,).
 
-    The bound is proven: rounding in the first case, `limits.stiff_bound` in the second (1 between
-    ψ = 2 and ψ*(κ), where that says nothing); ``auto`` knows a sharper one, `limits.stiff_limit`.
-    Cost: 20 ns.
+    The bound is rounding in the first case, `limits.stiff_bound` in the second (1 between ψ = 2 and
+    ψ*(κ), where that says nothing): proven from κ = 1.57 on, measured below. ``auto`` knows a
+    sharper one, `limits.stiff_limit`. Cost: 20 ns.
 
     Raises
     ------

@@ -47,7 +47,8 @@ def epsilon_t(
 
     Notes
     -----
-    Within 1e-13, or as `collisions` says; SBP2008, solved as docs/model.md describes.
+    `collisions` states how far each can be off: at most 4e-15 (1 + √κ), with damping
+    1.3e-14 (1 + √κ). SBP2008, solved as docs/model.md describes.
 
     Examples
     --------

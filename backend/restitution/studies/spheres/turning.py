@@ -56,9 +56,9 @@ def turned(
     θ = w t_c/(R₁ + R₂), and seen along it w²/(R₁ + R₂) drives the bodies apart. What that takes
     from the velocity along the first normal is θw of g_n, and of the impulse of the normal force,
     for the force of friction turns too, (w₀² + w²)/2 in place of w². With these impulses a, over
-    m_eff g_n, the contact is shorter by s and so are they (`_share`). ε_t then is that of κs² and
-    of ψ over the share of the impulse that is left. To its change is added what is tangential of
-    the force along the turned normal, ½(1 + ε_n) g_n θ, and what friction does about the spin
+    m_eff g_n, the contact is shorter by s and so are they (`_weakened`). ε_t then is that of κs²
+    and of ψ over the share of the impulse that is left. To its change is added what is tangential
+    of the force along the turned normal, ½(1 + ε_n) g_n θ, and what friction does about the spin
     that tilts, ½(1 − ε_t) θ of it. tests/beyond/test_turning.py says how near all this is to
     bodies that are let turn.
     """
@@ -75,8 +75,9 @@ def turned(
     slowed = 0.5 * at.pair.alpha * (epsilon_t - 1.0) * tangential_velocity
     passing = math.hypot(crossing.along + slowed, crossing.across)
     lost, share = _weakened(impulse(passing), whole)
-    # a quotient that overflows is of bodies that pass at once
-    angle = min(passing / distance * duration * share, whole * g_n / max(passing, LEAST))
+    # with the impulse at its strongest, and no further than to the other side
+    most = min(whole * g_n / max(passing, LEAST), math.pi)
+    angle = min(passing / distance * duration * share, most)
     missing, share = _weakened(0.5 * (impulse(before) + impulse(passing)), whole)
     kappa, psi = parameters.kappa, parameters.psi
     # both anew: the one that was answered may be of a coarse method

@@ -133,5 +133,7 @@ def _hollow(contact: Contact) -> Caution | None:
 
 def _short(value: float, digits: int = 3) -> str:
     """Return some digits as they are written by hand: 2,480, or 4.03e8."""
+    if math.isinf(value):
+        return "more than 1.8e308"
     mantissa, _, power = f"{float(f'{value:.{digits}g}'):,g}".partition("e")
     return f"{mantissa}e{int(power)}" if power else mantissa
