@@ -126,6 +126,16 @@ def test_every_correction_is_one_of_the_distinct_points(items):
     assert points == POINTS
 
 
+def test_notes_count_statements_and_corrections_as_they_are(items):
+    counts = Counter(item.verdict for item in items.values())
+    said = (
+        f"{counts['holds']} of {len(items)} hold, {len(DEFINITIONS)} of them as definitions, which "
+        f"cannot fail; {counts['corrected']} hold with a correction, {len(POINTS)} different ones "
+        f"in all (`paper/corrections.py`); {counts['fails']} do not."
+    )
+    assert said in (ROOT / "docs" / "implementation-notes.md").read_text()
+
+
 def test_a_statement_that_holds_or_fails_needs_no_correction(items):
     held = [replace(item, verdict="holds") for item in items.values() if item.id != "equation-8"]
     (point,) = distinct_corrections([*held, items["equation-8"]])

@@ -9,9 +9,16 @@ from restitution.mechanics.hertz import CONTACT_DURATION
 from restitution.mechanics.stepping import step_collisions
 from restitution.studies.accuracy.candidates import STEPS
 from restitution.studies.accuracy.scenes import SCENES
-from restitution.studies.accuracy.steps import LADDER, TWINS, Tried, study_steps
+from restitution.studies.accuracy.steps import (
+    ABOUT_AN_ANSWER,
+    LADDER,
+    TWINS,
+    Tried,
+    study_steps,
+)
 from restitution.studies.accuracy.tradeoff import load_tradeoff
 from restitution.studies.collision.parameters import CollisionParameters
+from work import counted
 
 ONE = CollisionParameters(18.0, 1.4, 0.5)
 DAMPED = CollisionParameters(18.0, 1.4, 0.5, 0.3)
@@ -92,6 +99,18 @@ def test_an_error_that_comes_back_with_more_steps_is_not_met():
     failing = max(n for n in LADDER if not met[n])
     assert failing < worst
     assert any(met[n] for n in LADDER if n < failing)
+
+
+@pytest.mark.parametrize("where", [ONE, CollisionParameters(1e4, 1.0, 0.01), "stiff", "damped"])
+def test_work_is_bounded_before_it_whatever_is_asked(where):
+    with counted() as work:
+        study = study_steps(1e-3, where)
+    contacts = study.collisions * study.phases
+    # two integrators, the ladder and what is tried about two answers each; a step more or less
+    tried = 2 * (sum(LADDER) + 2 * (ABOUT_AN_ANSWER + sum(LADDER[-3:])))
+    by_rule = 2 * 2 * study.collisions * study.rule_steps[1]
+    # a contact is allowed twice its steps, and four
+    assert work["steps"] <= 2.1 * (contacts * tried + by_rule)
 
 
 def test_what_no_rung_meets_is_none_with_a_reason():
