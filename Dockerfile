@@ -22,9 +22,11 @@ COPY deploy/on-this-processor deploy/ready /app/
 COPY frontend /app/frontend
 ENV NUMBA_CACHE_DIR=/app/cache \
     RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
-# Kernels for any processor and, if this one can run them, for those of the last ten years.
+# Kernels for any processor and, if this one can run them, for those of the last ten years. A cache is
+# its owner's alone, here for all to read.
 RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
-    && /app/on-this-processor --newer /app/venv/bin/restitution warm
+    && /app/on-this-processor --newer /app/venv/bin/restitution warm \
+    && chmod --recursive a+rX /app/cache
 
 FROM ${PYTHON_IMAGE}
 LABEL org.opencontainers.image.title="Restitution" \

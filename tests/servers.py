@@ -55,21 +55,29 @@ class Serving:
 
 
 @contextmanager
-def serving(folder, **settings):
+def serving(folder, prefix=(), environment=None, **settings):
+    """Yield a server that is ready; `prefix` is a command that runs another, as `prlimit` does."""
+    with starting(folder, prefix, environment, **settings) as server:
+        wait_until_ready(server.url, server.process, server.log)
+        yield server
+
+
+@contextmanager
+def starting(folder, prefix=(), environment=None, **settings):
+    """Yield a server as soon as its process runs."""
     port, log = free_port(), folder / "log"
-    environment = os.environ | {f"RESTITUTION_{n.upper()}": str(v) for n, v in settings.items()}
+    settings = {f"RESTITUTION_{n.upper()}": str(v) for n, v in settings.items()}
     program = Path(sys.executable).with_name("restitution")
     with (
         log.open("wb") as output,
         subprocess.Popen(
-            [program, "serve", "--port", str(port)],
+            [*prefix, program, "serve", "--port", str(port)],
             stdout=output,
             stderr=subprocess.STDOUT,
-            env=environment,
+            env=os.environ | settings | (environment or {}),
         ) as process,
     ):
         try:
-            wait_until_ready(f"http://127.0.0.1:{port}", process, log)
             yield Serving(process, port, log)
         finally:
             kill_with_children(process)

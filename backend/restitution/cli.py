@@ -1,5 +1,6 @@
 """The command line: the service, one impact of real spheres, tables for other codes."""
 
+import contextlib
 import json
 import math
 import os
@@ -56,10 +57,14 @@ def main() -> None:
 def serve(host: str, port: int) -> None:
     """Serve the page and the API."""
     click.echo(f"serving http://{host}:{port}")
-    with tempfile.TemporaryDirectory() as folder:
+    with contextlib.ExitStack() as until_the_end:
         if (workers := Settings().workers) > 1:
             # where the processes add up their counts
-            os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
+            try:
+                folder = until_the_end.enter_context(tempfile.TemporaryDirectory())
+                os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
+            except OSError as error:
+                click.echo(f"/metrics counts for each worker by itself: {error}", err=True)
             # a worker would import this script, and all that it needs, before it says that it lives
             vars(sys.modules["__main__"]).pop("__file__", None)
         uvicorn.run(

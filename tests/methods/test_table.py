@@ -1,5 +1,6 @@
 """The table: no answer outside its own bound, wherever one looks; its file; what it refuses."""
 
+import io
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -185,8 +186,21 @@ def test_table_is_built_once_and_kept(nothing_loaded, tmp_path):
     assert [file.suffix for file in tmp_path.iterdir()] == [".npz"]
 
 
+def another_table(_):
+    """Return a file that numpy reads, with what no table has."""
+    content = io.BytesIO()
+    np.savez(content, division=np.zeros(3), patches=np.ones((1, 7)), bounds=np.ones(1))
+    return content.getvalue()
+
+
 @pytest.mark.parametrize(
-    "damage", [lambda b: b[: len(b) // 2], lambda _: b"", lambda b: b[:900] + b"?" + b[901:]]
+    "damage",
+    [
+        lambda b: b[: len(b) // 2],
+        lambda _: b"",
+        lambda b: b[:900] + b"?" + b[901:],
+        another_table,
+    ],
 )
 def test_damaged_file_is_replaced(nothing_loaded, damage):
     table.table()

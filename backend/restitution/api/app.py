@@ -1,5 +1,6 @@
 """Assembly of the service."""
 
+import itertools
 import threading
 import time
 from collections.abc import AsyncIterator
@@ -19,6 +20,9 @@ from restitution.api.transport import Compression, HeadersAndHead, OpenDoors
 from restitution.api.warm import warm, warm_rest
 
 ROOMS = (collisions, scaling, table, tradeoff, paper, service)
+
+FIRST_PAUSE, LONGEST_PAUSE = 5, 300
+"""Seconds from a failure to prepare to the next try: twice as long each time."""
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
@@ -63,12 +67,18 @@ def create_service() -> FastAPI:
 @asynccontextmanager
 async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     def prepare() -> None:
-        try:
-            prepare_all()
-        except RuntimeError as error:
-            # the process ends, and the pool of threads with it, before all is prepared
-            if "cannot schedule new futures" not in str(error):
-                raise
+        for attempt in itertools.count():
+            try:
+                prepare_all()
+            except Exception as error:  # noqa: BLE001 - whatever it is, it may pass
+                # the process ends, and the pool of threads with it, before all is prepared
+                if "cannot schedule new futures" in str(error):
+                    return
+                pause = min(FIRST_PAUSE * 2**attempt, LONGEST_PAUSE)
+                LOGGER.exception("not all could be prepared: tried again", in_seconds=pause)
+                time.sleep(pause)
+            else:
+                return
 
     def prepare_all() -> None:
         begin = time.perf_counter()

@@ -5,19 +5,22 @@ import os
 import re
 from functools import lru_cache
 from importlib.resources import files
+from mimetypes import guess_type
 from pathlib import Path
+from typing import NamedTuple
 
 import brotli
 from fastapi import FastAPI, Request, Response
 from fastapi.responses import HTMLResponse
 from starlette.datastructures import Headers
-from starlette.staticfiles import StaticFiles
+from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
 
 from restitution.api.transport import known_tag
+from restitution.mechanics import cache
 from restitution.mechanics.compiled import CACHE_FOLDER
 
-PLOTLY = Path(str(files("plotly").joinpath("package_data", "plotly.min.js")))
+PLOTLY = Path(str(files("plotly").joinpath("package_data", "plotly.min.js"))).resolve()
 
 PAGE_HEADERS = {
     # Plotly sets styles from its script; nothing else is inline, nothing comes from elsewhere.
@@ -35,29 +38,45 @@ PLOTLY_HEADERS = {"Cache-Control": "public, max-age=86400"}
 COMPRESSIBLE = {".css", ".html", ".js", ".json", ".svg"}
 
 
-def _compressed(source: Path) -> Path:
-    """Return where a compressed file is kept: beside the kernels, named by where it is from."""
-    digest = hashlib.sha256(str(source.resolve()).encode()).hexdigest()[:16]
-    return Path(CACHE_FOLDER, "page", f"{digest}-{source.name}.br")
+Entry = tuple[str, int, int]
+"""A file as it is now: path, size, time in nanoseconds."""
+
+
+class _Compressed(NamedTuple):
+    """A file compressed by brotli, and the entity tag of that."""
+
+    body: bytes
+    tag: str
+
+
+_compressed: dict[Entry, _Compressed] = {}
+"""Kept in memory, 1.5 MB: what happens to its files while a server runs is of no consequence."""
 
 
 def compress_page(frontend_directory: Path) -> None:
-    """Compress plotly.js, to a quarter, and the files of the page once: six seconds."""
-    if not CACHE_FOLDER:
-        return
+    """Compress plotly.js, to a quarter, and the files of the page: six seconds the first time."""
     texts = (file for file in frontend_directory.rglob("*") if file.suffix in COMPRESSIBLE)
     for source in (*texts, PLOTLY):
-        target = _compressed(source)
-        if not _is_current(target, source.stat()):
-            target.parent.mkdir(parents=True, exist_ok=True)
-            partial = target.with_suffix(f".{os.getpid()}")
-            partial.write_bytes(brotli.compress(source.read_bytes(), quality=11, lgwin=22))
-            # whole or not at all, for other processes may look
-            partial.replace(target)
+        path = source.resolve()
+        entry = _entry(path, path.stat())
+        if entry not in _compressed:
+            body = _compress(path)
+            _compressed[entry] = _Compressed(body, f'"{hashlib.sha256(body).hexdigest()[:32]}"')
 
 
-def _is_current(target: Path, source: os.stat_result) -> bool:
-    return target.exists() and target.stat().st_mtime >= source.st_mtime
+def _compress(source: Path) -> bytes:
+    """Return a file compressed, from beside the kernels if it is there for this very text."""
+    text = source.read_bytes()
+    # named by where it is from: a file that changes takes no more room
+    digest = hashlib.sha256(str(source).encode()).hexdigest()[:16]
+    file = Path(CACHE_FOLDER, "page", f"{digest}-{source.name}.br")
+    kept = cache.read(file) if CACHE_FOLDER else None
+    if kept is not None and brotli.decompress(kept) == text:
+        return kept
+    body: bytes = brotli.compress(text, quality=11, lgwin=22)
+    if CACHE_FOLDER:
+        cache.write(file, body)
+    return body
 
 
 def add_page(app: FastAPI, frontend_directory: Path) -> None:
@@ -82,8 +101,8 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
     app.mount("/static", files, "static")
 
 
-State = frozenset[tuple[str, int, int]]
-"""The page's files, each with its size and its time in nanoseconds."""
+State = frozenset[Entry]
+"""The page's files."""
 
 KEPT = "max-age=31536000, immutable"
 
@@ -131,7 +150,7 @@ def _imported(module: Path) -> set[Path]:
     return found
 
 
-def _entry(file: str | os.PathLike[str], found: os.stat_result) -> tuple[str, int, int]:
+def _entry(file: str | os.PathLike[str], found: os.stat_result) -> Entry:
     return os.fspath(file), found.st_size, found.st_mtime_ns
 
 
@@ -175,21 +194,21 @@ class _Files(StaticFiles):
     ) -> Response:
         """Return a file, compressed where the client takes that and it was done beforehand."""
         version, _ = self._split(scope)
-        # a file may have changed since the page was asked for
-        unchanged = _entry(full_path, stat_result) in self._state
-        kept = unchanged and version == _version(self._state)
-        target = _compressed(Path(full_path))
-        compressed = "br" in Headers(scope=scope).get("accept-encoding", "") and _is_current(
-            target, stat_result
-        )
-        if compressed:
-            full_path, stat_result = target, target.stat()
-        response = super().file_response(full_path, stat_result, scope, status_code)
+        headers = Headers(scope=scope)
+        # a file may have changed since the page was asked for, or since it was compressed
+        entry = _entry(full_path, stat_result)
+        kept = entry in self._state and version == _version(self._state)
+        found = _compressed.get(entry) if "br" in headers.get("accept-encoding", "") else None
+        if found:
+            told = {"ETag": found.tag, "Content-Encoding": "br"}
+            response = Response(found.body, status_code, told, guess_type(full_path)[0])
+            if self.is_not_modified(response.headers, headers):
+                response = NotModifiedResponse(response.headers)
+        else:
+            response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = KEPT if kept else "no-cache"
+        response.headers["Vary"] = "Accept-Encoding"
         # the tag says it all, and a hundred headers are some kilobytes
         for name in ("Last-Modified", "Accept-Ranges"):
             del response.headers[name]
-        response.headers["Vary"] = "Accept-Encoding"
-        if compressed and response.status_code == 200:
-            response.headers["Content-Encoding"] = "br"
         return response

@@ -1,15 +1,20 @@
 """Compile numerical kernels with numba and keep the machine code between runs."""
 
-import contextlib
 import hashlib
-import os
-import shutil
-import tempfile
+import pickle
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+from numba.core.caching import (
+    CompileResultCacheImpl,
+    FunctionCache,
+    IndexDataCacheFile,
+    UserProvidedCacheLocator,
+)
+
+from restitution.mechanics import cache
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -30,42 +35,74 @@ another file does; a cache folder named after all sources cannot go stale.
 """
 
 
-def _cache_folder() -> str:
-    """Return the first folder of a short list in which files can be made.
-
-    A folder before it that can only be read, as in an image, lends what it has: numba reads no
-    cache that it could not write to, so the folder returned is given links to the files.
-    """
-    candidates = (
-        os.environ.get("NUMBA_CACHE_DIR"),
-        os.environ.get("XDG_CACHE_HOME"),
-        Path.home() / ".cache",
-        tempfile.gettempdir(),
-    )
-    lent: list[Path] = []
-    for candidate in candidates:
-        if not candidate:
-            continue
-        folder = Path(candidate, "restitution", MODEL_VERSION).absolute()
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryFile(dir=folder):
-                pass
-        except OSError:
-            if folder.is_dir():
-                lent.append(folder)
-            continue
-        for other in lent:
-            # another worker may have linked some of them: the rest are linked all the same
-            with contextlib.suppress(shutil.Error):
-                shutil.copytree(other, folder, copy_function=os.symlink, dirs_exist_ok=True)
-        return str(folder)
-    return ""
+CACHE_FOLDER, _ABOUT_FOLDER = cache.find_folder(MODEL_VERSION)
+"""Where what is derived from the sources is kept, "" if nowhere."""
 
 
-CACHE_FOLDER = _cache_folder()
-if CACHE_FOLDER:
-    numba.config.CACHE_DIR = CACHE_FOLDER  # type: ignore[attr-defined] # set up at run time
+class _Place(UserProvidedCacheLocator):
+    """The folder of the kernels of a source; made when the first is kept."""
+
+    def __init__(self, function: Callable[..., Any], source: str) -> None:
+        self._py_file = source
+        self._lineno = function.__code__.co_firstlineno
+        self._cache_path = str(Path(CACHE_FOLDER, self.get_suitable_cache_subpath(source)))
+
+    @classmethod
+    def from_function(cls, function: Callable[..., Any], source: str) -> "_Place":
+        return cls(function, source)
+
+    def ensure_cache_path(self) -> None:
+        """Do nothing: `cache.write` makes it, if that is possible."""
+
+    def get_source_stamp(self) -> str:
+        return MODEL_VERSION
+
+
+class _Implementation(CompileResultCacheImpl):
+    _locator_classes = [_Place]  # noqa: RUF012 - as numba has it
+
+
+class _Files(IndexDataCacheFile):
+    """Index and code of a kernel, which numba would unpickle and run whatever they hold."""
+
+    def save(self, key: object, data: object) -> None:
+        # with its key, for two processes may give one name to the code of two signatures
+        super().save(key, (key, data))
+
+    def load(self, key: object) -> object:
+        found = super().load(key)
+        return found[1] if found and found[0] == key else None
+
+    def _load_index(self) -> dict[object, str]:
+        content = cache.read(Path(self._index_path))
+        # written by this user or root: read whole, and from a folder of theirs
+        return pickle.loads(content) if content else {}  # noqa: S301
+
+    def _save_index(self, overloads: dict[object, str]) -> None:
+        cache.write(Path(self._index_path), self._dump(overloads))
+
+    def _load_data(self, name: str) -> object:
+        content = cache.read(Path(self._data_path(name)))
+        return pickle.loads(content) if content else None  # noqa: S301
+
+    def _save_data(self, name: str, data: object) -> None:
+        cache.write(Path(self._data_path(name)), self._dump(data))
+
+
+class _KernelCache(FunctionCache):
+    _impl_class = _Implementation
+
+    def __init__(self, function: Callable[..., Any]) -> None:
+        super().__init__(function)
+        self._cache_file = _Files(self._cache_path, self._impl.filename_base, MODEL_VERSION)
+        if not CACHE_FOLDER:
+            self.disable()
+
+    def load_overload(self, signature: object, context: object) -> object:
+        # not when it is imported, for there is no log yet
+        if _ABOUT_FOLDER:
+            cache.tell_once("folder", _ABOUT_FOLDER)
+        return super().load_overload(signature, context)
 
 
 def compiled(function: Function) -> Function:
@@ -90,11 +127,13 @@ def inlined(function: Function) -> Function:
 
 def _compiled(function: Function, *, always_inline: bool) -> Function:
     compiler: Any = numba.njit(
-        cache=bool(CACHE_FOLDER),
         nogil=True,
         error_model="numpy",
         fastmath={"contract"},
         forceinline=always_inline,
     )
-    result: Function = compiler(function)
+    kernel: Any = compiler(function)
+    # where `enable_caching` puts numba's own
+    kernel._cache = _KernelCache(function)  # noqa: SLF001
+    result: Function = kernel
     return result

@@ -1,10 +1,8 @@
 """The universal map of ε_t over κ and ψ: computed once, kept on disk, read in nanoseconds."""
 
-import contextlib
 import hashlib
-import os
+import io
 import threading
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import ParameterError
+from restitution.mechanics import cache
 from restitution.mechanics.collision import collide
 from restitution.mechanics.compiled import CACHE_FOLDER
 from restitution.mechanics.hertz import FloatArray
@@ -151,24 +150,18 @@ def _file() -> Path:
 
 
 def _read(file: Path) -> Table | None:
-    """Return the table in `file`, None if there is none that is whole."""
-    try:
-        with file.open("rb") as stream, np.load(stream) as arrays:
-            return Table(arrays["division"], arrays["patches"], arrays["bounds"])
-    except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
+    """Return the table in `file`, None if there is none as it was written."""
+    if (content := cache.read(file)) is None:
         return None
+    with np.load(io.BytesIO(content)) as arrays:
+        return Table(arrays["division"], arrays["patches"], arrays["bounds"])
 
 
 def _write(table: Table, file: Path) -> None:
-    """Keep the table if that is possible; whole or not at all, for other processes may look."""
-    partial = file.with_suffix(f".{os.getpid()}")
-    with contextlib.suppress(OSError):
-        try:
-            with partial.open("wb") as stream:
-                np.savez(stream, **vars(table))
-            partial.replace(file)
-        finally:
-            partial.unlink(missing_ok=True)
+    """Keep the table if that is possible."""
+    content = io.BytesIO()
+    np.savez(content, **vars(table))
+    cache.write(file, content.getvalue())
 
 
 _loaded: list[Table] = []
