@@ -2,10 +2,12 @@
 
 Beside the entries `epsilon_t` and their coordinates there is `sampled_error`, one number for each
 chunk and written after it: a chunk is there if its error is. Zarr writes each of them under
-another name first, so that they are whole or not there at all.
+another name first, so that they are whole or not there at all. What a disk does to them later is
+seen when they are read, for every reader of zstd compares its checksum.
 """
 
 import contextlib
+import logging
 import math
 import shutil
 import uuid
@@ -15,16 +17,22 @@ from typing import Any
 import numpy as np
 import zarr
 import zarr.errors
+from zarr.codecs import ZstdCodec
 
 from restitution.errors import ParameterError, RestitutionError
 from restitution.export.layout import SIGNS
+from restitution.mechanics.hertz import FloatArray
 from restitution.studies.tables.export import tabulated
 from restitution.studies.tables.grid import Sign, TableGrid, grid_from, provenance
 
 CHUNK_ENTRIES = 2**17
 """Of a chunk at most: 1 MB, and seconds of work that a killed run loses."""
 
+CHECKED = ZstdCodec(checksum=True)
+
 Index = tuple[int, ...]
+
+LOGGER = logging.getLogger(__name__)
 
 
 def chunk_shape(shape: tuple[int, ...], entries: int = CHUNK_ENTRIES) -> tuple[int, ...]:
@@ -51,6 +59,8 @@ def open_store(
 ) -> None:
     """Make sure that `path` holds a store for the table on a grid, finished or not.
 
+    Coordinates that are damaged are written anew.
+
     Raises
     ------
     ParameterError
@@ -69,12 +79,35 @@ def open_store(
                 f"has {found!r}"
             )
             raise ParameterError("store", str(path), requirement)
+    for name, values in _coordinates(grid).items():
+        array = _array(path, name)
+        found = _read(array, ...)
+        # logarithms of another processor may end in other digits
+        if found is None or not np.allclose(found, values, rtol=1e-12, atol=0.0):
+            LOGGER.warning("%s of %s is damaged: written anew", name, path)
+            array[...] = values
 
 
 def missing_chunks(path: Path) -> tuple[list[Index], int]:
-    """Return the places of the chunks that are not there yet, and the number of all chunks."""
-    errors = np.asarray(_array(path, "sampled_error")[...])
-    return [tuple(place) for place in np.argwhere(np.isnan(errors)).tolist()], errors.size
+    """Return the places of the chunks that are not there or damaged, and the number of all chunks.
+
+    Those that are there are read: 0.25 s of CPU for 10⁷ entries.
+    """
+    entries, errors = _array(path, "epsilon_t"), _array(path, "sampled_error")
+    missing, damaged = list[Index](), list[Index]()
+    for index in np.ndindex(errors.shape):
+        error = _read(errors.blocks, index)
+        if error is not None and np.isnan(error).all():
+            missing.append(index)
+            continue
+        values = None if error is None else _read(entries.blocks, index)
+        # a file that is gone is read as NaN
+        if values is None or np.isnan(values).any():
+            damaged.append(index)
+    if damaged:
+        words = "%d of %d chunks in %s are damaged, as that at %s: computed anew"
+        LOGGER.warning(words, len(damaged), errors.size, path, damaged[0])
+    return missing + damaged, errors.size
 
 
 def write_chunk(path: str, index: Index) -> None:
@@ -128,31 +161,30 @@ def _create(
     path: Path, grid: TableGrid, attributes: dict[str, Any], chunks: tuple[int, ...]
 ) -> None:
     """Make an empty store, whole or not at all."""
-    # refuses what is wrong with the axes
-    nodes = grid.nodes()
     partial = path.with_name(f".{path.name}.{uuid.uuid4().hex}")
     try:
         group = zarr.create_group(
             partial, attributes={**attributes, "convention": SIGNS[attributes["sign"]]}
         )
-        names = list(grid.axes)
-        for name, values in zip(names, nodes.values[-len(names) :], strict=True):
-            group.create_array(name, data=values, dimension_names=[name])
+        for name, values in _coordinates(grid).items():
+            group.create_array(name, data=values, compressors=CHECKED, dimension_names=[name])
         group.create_array(
             "epsilon_t",
             shape=grid.shape,
             chunks=chunks,
             dtype="f8",
+            compressors=CHECKED,
             fill_value=math.nan,
-            dimension_names=names,
+            dimension_names=list(grid.axes),
         )
         group.create_array(
             "sampled_error",
             shape=tuple(map(math.ceil, np.divide(grid.shape, chunks))),
             chunks=(1,) * len(chunks),
             dtype="f8",
+            compressors=CHECKED,
             fill_value=math.nan,
-            dimension_names=[f"{name}_chunk" for name in names],
+            dimension_names=[f"{name}_chunk" for name in grid.axes],
         )
         partial.rename(path)
     finally:
@@ -168,9 +200,25 @@ def _attributes(path: Path) -> dict[str, Any]:
 
 
 def _array(path: Path, name: str) -> "zarr.Array[Any]":
-    array = zarr.open_group(path, mode="r+")[name]
-    assert isinstance(array, zarr.Array)
-    return array
+    with contextlib.suppress(KeyError, ValueError, TypeError):
+        array = zarr.open_group(path, mode="r+")[name]
+        if isinstance(array, zarr.Array):
+            return array
+    raise ParameterError("store", str(path), f"a new path, for {name} of the one there is damaged")
+
+
+def _read(source: Any, where: Any) -> FloatArray | None:
+    """Return what an array or its blocks hold somewhere, None if that is damaged."""
+    try:
+        return np.asarray(source[where])
+    except (RuntimeError, ValueError):
+        return None
+
+
+def _coordinates(grid: TableGrid) -> dict[str, FloatArray]:
+    """Return the values along each axis by name; refuses what is wrong with an axis."""
+    values = grid.nodes().values[-len(grid.axes) :]
+    return dict(zip(grid.axes, values, strict=True))
 
 
 def _flat(attributes: dict[str, Any], prefix: str = "") -> dict[str, Any]:
