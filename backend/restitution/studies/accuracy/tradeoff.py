@@ -310,7 +310,13 @@ def store_tradeoff(measurement: Measurement, target: Path = STORED) -> None:
 
 
 def _write(stored: dict[SceneName, Any], target: Path) -> None:
-    target.write_text(json.dumps(stored, indent=1) + "\n")
+    # whole or not at all: measurements of other scenes are in it
+    partial = target.with_name(f"{target.name}.{os.getpid()}")
+    try:
+        partial.write_text(json.dumps(stored, indent=1) + "\n")
+        partial.replace(target)
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 def store_rows(scene: SceneName, rows: Sequence[Row], target: Path = STORED) -> None:
