@@ -3,11 +3,16 @@
 import random
 from pathlib import Path
 
+
+def change_a_bit(content: bytes, place: int) -> bytes:
+    return content[:place] + bytes([content[place] ^ 1]) + content[place + 1 :]
+
+
 DAMAGES = {
     "truncated": lambda content: content[: len(content) // 2],
     "emptied": lambda _: b"",
     "random": lambda content: random.Random(2008).randbytes(len(content)),
-    "one bit": lambda content: content[:10] + bytes([content[10] ^ 1]) + content[11:],
+    "one bit": lambda content: change_a_bit(content, len(content) // 2),
     "longer": lambda content: content + b"\0",
 }
 

@@ -120,6 +120,18 @@ def test_a_file_that_changed_since_it_was_compressed_comes_as_it_is_now(tmp_path
     assert answer.text == "// new, and longer than the old one"
 
 
+def test_a_file_that_changed_between_two_starts_is_compressed_as_it_is_now(tmp_path, monkeypatch):
+    monkeypatch.setattr(page, "_compressed", {})
+    script = tmp_path / "script.js"
+    for text in ("// old", "// new"):
+        script.write_text(text)
+        page._compressed.clear()
+        page.compress_page(tmp_path)
+    with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:
+        answer = client.get("/static/script.js", headers={"Accept-Encoding": "br"})
+    assert (answer.headers["content-encoding"], answer.text) == ("br", "// new")
+
+
 @pytest.mark.parametrize(
     "path", ["/", "/static/main.js", "/assets/plotly.min.js", "/api/v1/presets", "/nothing"]
 )

@@ -96,7 +96,10 @@ def test_code_of_another_kernel_is_not_run(kept):
     contents = first.read_bytes(), second.read_bytes()
     second.write_bytes(contents[0])
     first.write_bytes(contents[1])
-    assert ask(NUMBA_CACHE_DIR=folder) == (answer, [])
+    found, lines = ask(NUMBA_CACHE_DIR=folder)
+    assert found == answer
+    (line,) = lines
+    assert "names the code of another kernel: made anew" in line
     assert_healed(folder, answer)
 
 

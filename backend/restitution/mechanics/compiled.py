@@ -71,7 +71,11 @@ class _Files(IndexDataCacheFile):
 
     def load(self, key: object) -> object:
         found = super().load(key)
-        return found[1] if found and found[0] == key else None
+        if found and found[0] != key:
+            event = f"{self._index_path} names the code of another kernel: made anew"
+            cache.tell_once(f"read {self._cache_path}", event)
+            return None
+        return found[1] if found else None
 
     def _load_index(self) -> dict[object, str]:
         content = cache.read(Path(self._index_path))
