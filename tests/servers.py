@@ -55,23 +55,26 @@ class Serving:
 
 
 @contextmanager
-def serving(folder, prefix=(), environment=None, **settings):
-    """Yield a server that is ready; `prefix` is a command that runs another, as `prlimit` does."""
-    with starting(folder, prefix, environment, **settings) as server:
+def serving(folder, prefix=(), environment=None, limits=None, **settings):
+    """Yield a server that is ready.
+
+    `prefix` is a command that runs another, as `prlimit` does; `limits` of `api.connections` are
+    others where no test could wait for them.
+    """
+    with starting(folder, prefix, environment, limits, **settings) as server:
         wait_until_ready(server.url, server.process, server.log)
         yield server
 
 
 @contextmanager
-def starting(folder, prefix=(), environment=None, **settings):
+def starting(folder, prefix=(), environment=None, limits=None, **settings):
     """Yield a server as soon as its process runs."""
     port, log = free_port(), folder / "log"
     settings = {f"RESTITUTION_{n.upper()}": str(v) for n, v in settings.items()}
-    program = Path(sys.executable).with_name("restitution")
     with (
         log.open("wb") as output,
         subprocess.Popen(
-            [*prefix, program, "serve", "--port", str(port)],
+            [*prefix, *program(limits or {}), "serve", "--port", str(port)],
             stdout=output,
             stderr=subprocess.STDOUT,
             env=os.environ | settings | (environment or {}),
@@ -81,6 +84,14 @@ def starting(folder, prefix=(), environment=None, **settings):
             yield Serving(process, port, log)
         finally:
             kill_with_children(process)
+
+
+def program(limits):
+    if not limits:
+        return [Path(sys.executable).with_name("restitution")]
+    lines = ["from restitution.api import connections", "from restitution.cli import main"]
+    lines += [f"assert {n}; {n} = {v}" for n, v in limits.items()]
+    return [sys.executable, "-c", "\n".join([*lines, "main()"])]
 
 
 def kill_with_children(process: subprocess.Popen[bytes]) -> None:

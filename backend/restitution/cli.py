@@ -73,6 +73,11 @@ def serve(host: str, port: int) -> None:
             host=host,
             port=port,
             workers=workers,
+            http="restitution.api.connections:Connection",
+            # one protocol less that could be attacked: nobody speaks it here
+            ws="none",
+            # nothing asks who the client is
+            proxy_headers=False,
             log_config=None,
             access_log=False,
             server_header=False,

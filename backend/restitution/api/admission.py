@@ -25,8 +25,11 @@ MOST_HELD = 100 * 2**20
 """Bytes of bodies that are held together: two of the largest, and many small ones."""
 
 
+ENDING = "the server is being stopped"
+
+
 class SaturatedError(Exception):
-    """More requests are under way than can be answered in time."""
+    """A request cannot be answered in time, by this server or just now."""
 
 
 class Admission:
@@ -48,6 +51,7 @@ class Admission:
     def __init__(self, most_quick: int, most_long: int, most_waiting: int) -> None:
         self._most_quick, self._most_admitted = most_quick, most_long + most_waiting
         self._quick = self._admitted = self._held = 0
+        self._is_ending = False
         # Its threads take the next computation themselves. A limiter on the event loop would hand
         # each over in a turn of the loop, which under load takes as long as a line of quick ones.
         self._threads = ThreadPoolExecutor(most_long, "computing")
@@ -55,17 +59,22 @@ class Admission:
     def hold(self, size: int) -> None:
         """Count `size` bytes of a body as held; `SaturatedError` if there are too many."""
         if self._held + size > MOST_HELD:
-            raise _saturated()
+            raise saturated()
         self._held += size
 
     def release(self, size: int) -> None:
         """Count `size` bytes as held no longer."""
         self._held -= size
 
+    def end(self) -> None:
+        """Begin no further long computations, as the server ends: those that wait are told so."""
+        self._is_ending = True
+        self._threads.shutdown(wait=False, cancel_futures=True)
+
     async def quickly(self, work: Callable[[], Answer]) -> Answer:
         """Return what `work` gives, computed here: a thread would cost as much as the work."""
         if self._quick >= self._most_quick:
-            raise _saturated()
+            raise saturated()
         self._quick += 1
         try:
             # everybody who has arrived is counted before anybody is served
@@ -81,11 +90,14 @@ class Admission:
         ------
         SaturatedError
             If too many wait already.
+            Also if the server ends before it is done.
         InterruptionError
             If the client left.
         """
+        if self._is_ending:
+            raise SaturatedError(ENDING)
         if self._admitted >= self._most_admitted:
-            raise _saturated()
+            raise saturated()
         stop = threading.Event()
         watch = asyncio.create_task(_watch(request, stop))
         self._admitted += 1
@@ -93,7 +105,10 @@ class Admission:
         try:
             loop = asyncio.get_running_loop()
             return await loop.run_in_executor(self._threads, _work, work, stop)
+        except asyncio.CancelledError as ended:
+            raise SaturatedError(ENDING) from ended
         finally:
+            stop.set()
             self._admitted -= 1
             WAITING.dec()
             watch.cancel()
@@ -105,7 +120,8 @@ def admission_of(request: Request) -> Admission:
     return admission
 
 
-def _saturated() -> SaturatedError:
+def saturated() -> SaturatedError:
+    """Return, counted, that more is asked for than can be answered."""
     REFUSED.labels("saturated").inc()
     return SaturatedError("more requests are under way than can be answered in time")
 

@@ -37,6 +37,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         # FastAPI's own would load their scripts from elsewhere
         docs_url=None,
         redoc_url=None,
+        # an address with a slash too many is none: sent on, a client would go to whatever Host says
+        redirect_slashes=False,
     )
     # the kernels of the first view; all kernels and the table
     app.state.ready, app.state.warm = threading.Event(), threading.Event()

@@ -43,6 +43,11 @@ def serve_in_background() -> str:
     server = uvicorn.Server(
         uvicorn.Config(
             create_app(),
+            http="restitution.api.connections:Connection",
+            # one protocol less that could be attacked: nobody speaks it here
+            ws="none",
+            # nothing asks who the client is
+            proxy_headers=False,
             log_config=None,
             access_log=False,
             timeout_graceful_shutdown=FAREWELL,

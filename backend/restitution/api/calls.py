@@ -4,7 +4,6 @@ A route is a function from what was read to a `Result`. Reading, admission, enti
 of the answer, its headers and its description follow from the declaration.
 """
 
-import asyncio
 import functools
 import hashlib
 import itertools
@@ -39,9 +38,6 @@ LARGEST_BODY = 2 * 2**20
 
 MOST_ELEMENTS = 10_000
 """In a body of one collision or map; those of the dearest have some fifty."""
-
-LONGEST_UPLOAD = 60.0
-"""Seconds until a body must be there: 40 MiB at 6 Mbit/s."""
 
 LONGEST_QUERY = 8192
 """Bytes, as nginx allows for a whole address; the longest of ours has some 600."""
@@ -268,25 +264,25 @@ async def _body(request: Request, largest: int) -> AsyncIterator[bytes]:
     Raises
     ------
     HTTPException
-        415 for another content type, 413 for too much, 408 for one that does not come.
+        415 for another content type, 413 for too much.
     SaturatedError
         If the bodies of others leave no room for it.
     """
-    admission = admission_of(request)
+    admission, size = admission_of(request), 0
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
     if kind != "application/json":
         raise HTTPException(415, "the body must be application/json")
-    body = bytearray()
+    pieces: list[bytes] = []
     try:
-        try:
-            async with asyncio.timeout(LONGEST_UPLOAD):
-                async for chunk in request.stream():
-                    admission.hold(len(chunk))
-                    body += chunk
-                    if len(body) > largest:
-                        raise HTTPException(413, f"the body is larger than {largest:,} bytes")
-        except TimeoutError as error:
-            raise HTTPException(408, f"the body took longer than {LONGEST_UPLOAD:g} s") from error
-        yield bytes(body)
+        async for chunk in request.stream():
+            admission.hold(len(chunk))
+            size += len(chunk)
+            if size > largest:
+                raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+            pieces.append(chunk)
+        body = b"".join(pieces)
+        # not held twice
+        pieces.clear()
+        yield body
     finally:
-        admission.release(len(body))
+        admission.release(size)

@@ -1,5 +1,6 @@
 """JSON in a body: one object, no key in it twice."""
 
+import contextlib
 import json
 import re
 from collections import Counter
@@ -72,9 +73,11 @@ def parse_nested(body: bytes) -> dict[str, Any]:
 
 def parse_object(text: bytes) -> dict[str, Any]:
     """Return a JSON object; `MalformedBodyError` for anything else."""
-    try:
-        value = orjson.loads(text)
-    except orjson.JSONDecodeError:
+    value, is_read = None, False
+    # an error of either reader holds the whole text again: it is let go before anything else
+    with contextlib.suppress(orjson.JSONDecodeError):
+        value, is_read = orjson.loads(text), True
+    if not is_read:
         value = _lenient(text)
     if not isinstance(value, dict):
         raise MalformedBodyError("the body must be a JSON object")
@@ -89,10 +92,11 @@ def _lenient(body: bytes, **hooks: Any) -> object:
         return json.loads(
             body.decode(), parse_int=lambda t: int(t) if len(t) < 400 else float(t), **hooks
         )
-    except RecursionError as error:
-        raise MalformedBodyError(TOO_DEEP) from error
+    except RecursionError:
+        reason = TOO_DEEP
     except ValueError as error:
-        raise MalformedBodyError(f"the body is not JSON: {error}") from error
+        reason = f"the body is not JSON: {error}"
+    raise MalformedBodyError(reason)
 
 
 def _own_keys(body: bytes) -> Iterator[bytes]:
