@@ -89,7 +89,7 @@ def starting(folder, prefix=(), environment=None, limits=None, **settings):
 def program(limits):
     if not limits:
         return [Path(sys.executable).with_name("restitution")]
-    lines = ["from restitution.api import connections", "from restitution.cli import main"]
+    lines = ["from restitution.api import connections, serving", "from restitution.cli import main"]
     lines += [f"assert {n}; {n} = {v}" for n, v in limits.items()]
     return [sys.executable, "-c", "\n".join([*lines, "main()"])]
 

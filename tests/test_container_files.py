@@ -13,6 +13,7 @@ import yaml
 
 from restitution.api.app import create_app
 from restitution.api.settings import Settings
+from restitution.bounds import annotations
 
 ROOT = Path(__file__).parents[1]
 DOCKERFILE = re.sub(r"\\\n\s*", "", (ROOT / "Dockerfile").read_text(encoding="utf-8"))
@@ -47,7 +48,7 @@ def configuration(*profiles: str, **environment: str) -> dict:
 
 
 def known_settings() -> set[str]:
-    return {f"RESTITUTION_{field.upper()}" for field in Settings.model_fields}
+    return {f"RESTITUTION_{field.upper()}" for field in annotations(Settings)}
 
 
 def rows(heading: str) -> dict[str, str]:
@@ -156,7 +157,7 @@ def test_guide_lists_every_setting_of_the_server_with_its_default():
     found = rows("Settings of the server")
     assert set(found) == known_settings() - {"RESTITUTION_FRONTEND_DIRECTORY"}
     for name, default in found.items():
-        value = Settings.model_fields[name.removeprefix("RESTITUTION_").lower()].get_default()
+        value = getattr(Settings(), name.removeprefix("RESTITUTION_").lower())
         # a default that depends on the machine is described in words
         if default.startswith("`"):
             assert json.loads(default.strip("`")) == value, name

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any, BinaryIO, get_args
 
 import click
-import uvicorn
 from click.core import ParameterSource
 
 from restitution.api.page import compress_page
-from restitution.api.settings import Settings
+from restitution.api.serving import address_of, listeners, serve_alone, serve_in_workers
+from restitution.api.settings import Settings, SettingsError, settings_of_environment, strangers
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
@@ -38,13 +38,6 @@ from restitution.wire.reading import read_object, read_query
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
 from restitution.wire.results import scaling_result, table_result
 
-LONGEST_FAREWELL = 8
-"""Seconds that requests in flight get when the service stops; supervisors wait for ten."""
-
-LONGEST_SILENCE = 60
-"""Seconds after which a worker that says nothing is replaced. On a busy machine uvicorn's five may
-go by before it can say anything: it was then replaced for ever."""
-
 
 @click.group()
 def main() -> None:
@@ -53,44 +46,55 @@ def main() -> None:
 
 @main.command()
 @click.option("--host", default="127.0.0.1", show_default=True, help="Address to listen on.")
-@click.option("--port", default=8000, show_default=True, help="Port to listen on.")
+@click.option(
+    "--port",
+    type=click.IntRange(0, 65535),
+    default=8000,
+    show_default=True,
+    help="Port to listen on; 0 for any that is free.",
+)
 def serve(host: str, port: int) -> None:
     """Serve the page and the API."""
-    click.echo(f"serving http://{host}:{port}")
+    settings = _settings()
+    for name in strangers():
+        click.echo(f"{name} is no setting of the server and does nothing", err=True)
+    try:
+        sockets = listeners(host, port)
+    except RestitutionError as taken:
+        raise click.ClickException(str(taken)) from taken
+    click.echo(f"serving http://{address_of(host, sockets[0].getsockname()[1])}")
+    if settings.workers == 1:
+        serve_alone(sockets)
+        return
     with contextlib.ExitStack() as until_the_end:
-        if (workers := Settings().workers) > 1:
-            # where the processes add up their counts
-            try:
-                folder = until_the_end.enter_context(tempfile.TemporaryDirectory())
-                os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
-            except OSError as error:
-                click.echo(f"/metrics counts for each worker by itself: {error}", err=True)
-            # a worker would import this script, and all that it needs, before it says that it lives
-            vars(sys.modules["__main__"]).pop("__file__", None)
-        uvicorn.run(
-            "restitution.api.app:create_service",
-            factory=True,
-            host=host,
-            port=port,
-            workers=workers,
-            http="restitution.api.connections:Connection",
-            # one protocol less that could be attacked: nobody speaks it here
-            ws="none",
-            # nothing asks who the client is
-            proxy_headers=False,
-            log_config=None,
-            access_log=False,
-            server_header=False,
-            timeout_graceful_shutdown=LONGEST_FAREWELL,
-            timeout_worker_healthcheck=LONGEST_SILENCE,
-        )
+        # where the processes add up their counts
+        try:
+            folder = until_the_end.enter_context(tempfile.TemporaryDirectory())
+            os.environ["PROMETHEUS_MULTIPROC_DIR"] = folder
+        except OSError as error:
+            click.echo(f"/metrics counts for each worker by itself: {error}", err=True)
+        serve_in_workers(sockets, settings.workers)
+
+
+class _Refusal(click.ClickException):
+    """Of what was asked for, as click's own of wrong options, without a word on usage."""
+
+    exit_code = 2
+
+
+def _settings() -> Settings:
+    try:
+        return settings_of_environment()
+    except SettingsError as wrong:
+        raise _Refusal(str(wrong)) from wrong
 
 
 @main.command()
 def warm() -> None:
     """Compile the kernels, compress plotly.js and build the table into the cache."""
+    folder = _settings().frontend_directory
     warm_kernels()
-    compress_page(Settings().frontend_directory)
+    compress_page(folder)
     warm_rest()
 
 
@@ -100,7 +104,20 @@ def openapi() -> None:
     # of all commands this one alone needs the whole service
     from restitution.api.app import create_app  # noqa: PLC0415
 
-    click.echo(json.dumps(create_app().openapi(), ensure_ascii=False, indent=1))
+    click.echo(json.dumps(create_app(_settings()).openapi(), ensure_ascii=False, indent=1))
+
+
+def _in_a_folder(_: click.Context, __: click.Parameter, path: Path | None) -> Path | None:
+    """Refuse a file that cannot be made, before the work that it is for."""
+    if path and not path.parent.is_dir():
+        raise click.BadParameter(f"there is no folder {path.parent}")
+    return path
+
+
+def _positive(_: click.Context, __: click.Parameter, number: float) -> float:
+    if not 0 < number < math.inf:
+        raise click.BadParameter(f"it must be finite and > 0, got {number:g}")
+    return number
 
 
 @main.command()
@@ -111,11 +128,13 @@ def openapi() -> None:
     "--out",
     type=click.Path(dir_okay=False, path_type=Path),
     default=STORED,
+    callback=_in_a_folder,
     help="JSON to renew; that of the package by default.",
 )
 @click.option(
     "--report",
     type=click.Path(dir_okay=False, path_type=Path),
+    callback=_in_a_folder,
     help="Markdown to write about all that it holds then.",
 )
 def tradeoff(scenes: tuple[SceneName, ...], out: Path, report: Path | None) -> None:
@@ -235,7 +254,13 @@ SCALE = click.Choice(get_args(Scale))
 @click.option("--error", help="Largest error of interpolation wanted.")
 @click.option("--sign", type=click.Choice(get_args(Sign)), help="paper by default.")
 @click.option("--format", type=click.Choice(get_args(TableFormat)), help="csv by default.")
-@click.option("--seconds", type=float, default=60.0, help="Time of one core that it may take.")
+@click.option(
+    "--seconds",
+    type=float,
+    default=60.0,
+    callback=_positive,
+    help="Time of one core that it may take.",
+)
 @click.option("--out", type=click.File("wb"), default="-", help="Standard output by default.")
 @click.option(
     "--store",
@@ -327,7 +352,7 @@ def _large_table(
                 if not sys.stderr.isatty():
                     click.echo(f"{done} of {total} chunks", err=True)
         largest = finish(store)
-    except RestitutionError as refused:
+    except (RestitutionError, OSError) as refused:
         raise click.ClickException(str(refused)) from refused
     except KeyboardInterrupt as stopped:
         raise click.ClickException(

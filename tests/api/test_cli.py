@@ -3,9 +3,6 @@
 import csv
 import io
 import json
-import sys
-import types
-from multiprocessing import spawn
 
 import pytest
 from click.testing import CliRunner
@@ -113,6 +110,8 @@ def test_table_goes_to_a_file(tmp_path):
         (["--error", "1e-9", "--seconds", "0.2"], "s of one core"),
         (["--error", "0"], "error"),
         (["--kappa", "nan", "3"], "kappa"),
+        (["--seconds", "nan"], "must be finite and > 0, got nan"),
+        (["--seconds", "0"], "must be finite and > 0, got 0"),
     ],
 )
 def test_table_refuses_in_words(arguments, words):
@@ -120,21 +119,3 @@ def test_table_refuses_in_words(arguments, words):
     assert done.exit_code != 0
     assert words in done.stderr
     assert "Traceback" not in done.output
-
-
-def test_workers_may_be_silent_and_do_not_import_this_script(monkeypatch):
-    told = {}
-
-    def run(_, **settings):
-        told.update(settings, main=spawn.get_preparation_data("worker").get("init_main_from_path"))
-
-    script = types.ModuleType("__main__")
-    script.__file__ = "/bin/restitution"
-    monkeypatch.setitem(sys.modules, "__main__", script)
-    monkeypatch.setenv("PROMETHEUS_MULTIPROC_DIR", "restored")
-    monkeypatch.setenv("RESTITUTION_WORKERS", "2")
-    monkeypatch.setattr("uvicorn.run", run)
-    CliRunner().invoke(main, ["serve"], catch_exceptions=False)
-    assert told["workers"] == 2
-    assert told["main"] is None
-    assert told["timeout_worker_healthcheck"] >= 60

@@ -124,5 +124,5 @@ def test_own_server_serves_every_call_and_ends_with_the_process():
 
 def test_installation_without_a_page_says_so(monkeypatch, tmp_path):
     monkeypatch.setenv("RESTITUTION_FRONTEND_DIRECTORY", str(tmp_path))
-    with pytest.raises(RestitutionError, match="no page in"):
+    with pytest.raises(RestitutionError, match="FRONTEND_DIRECTORY must be a folder that holds"):
         serve_in_background()

@@ -15,7 +15,7 @@ from restitution.api.page import add_page, compress_page
 from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, paper, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
-from restitution.api.settings import Settings
+from restitution.api.settings import Settings, settings_of_environment
 from restitution.api.transport import Compression, HeadersAndHead, OpenDoors
 from restitution.api.warm import warm, warm_rest
 
@@ -30,7 +30,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     The table follows them: until it is there, the first time 20 s later, requests that use it wait.
     """
-    settings = settings or Settings()
+    settings = settings or settings_of_environment()
     app = FastAPI(
         **document.about(),
         lifespan=_lifespan,
@@ -72,9 +72,9 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         for attempt in itertools.count():
             try:
                 prepare_all()
-            except Exception as error:  # noqa: BLE001 - whatever it is, it may pass
-                # the process ends, and the pool of threads with it, before all is prepared
-                if "cannot schedule new futures" in str(error):
+            except Exception:  # noqa: BLE001 - whatever it is, it may pass
+                # once the main thread is over, and the process ends, pools take nothing more
+                if not threading.main_thread().is_alive():
                     return
                 pause = min(FIRST_PAUSE * 2**attempt, LONGEST_PAUSE)
                 LOGGER.exception("not all could be prepared: tried again", in_seconds=pause)

@@ -7,11 +7,9 @@ import socket
 import threading
 
 import structlog
-import uvicorn
 
 from restitution.api.app import create_app
-from restitution.api.settings import Settings
-from restitution.errors import RestitutionError
+from restitution.api.serving import server
 
 FAREWELL = 1
 """Seconds that requests in flight get when the process ends."""
@@ -25,42 +23,25 @@ def serve_in_background() -> str:
 
     Raises
     ------
-    RestitutionError
-        If the page is not there, as in an installation without a checkout.
+    SettingsError
+        If a setting is wrong, or the page not there, as in an installation without a checkout.
     """
-    folder = Settings().frontend_directory
-    if not (folder / "index.html").exists():
-        raise RestitutionError(
-            f"there is no page in {folder}: set RESTITUTION_FRONTEND_DIRECTORY to the folder "
-            "frontend of a checkout, or name a server that runs"
-        )
+    service = create_app()
     if not structlog.is_configured():
         # the service would tell its events between the answers of a notebook
         quiet = structlog.make_filtering_bound_logger(logging.WARNING)
         structlog.configure(wrapper_class=quiet)
     # it listens at once: who comes before the service waits
     listener = socket.create_server(("127.0.0.1", 0))
-    server = uvicorn.Server(
-        uvicorn.Config(
-            create_app(),
-            http="restitution.api.connections:Connection",
-            # one protocol less that could be attacked: nobody speaks it here
-            ws="none",
-            # nothing asks who the client is
-            proxy_headers=False,
-            log_config=None,
-            access_log=False,
-            timeout_graceful_shutdown=FAREWELL,
-        )
-    )
+    running = server(service, FAREWELL)
     thread = threading.Thread(
-        target=server.run, args=([listener],), name="restitution service", daemon=True
+        target=running.run, args=([listener],), name="restitution service", daemon=True
     )
     thread.start()
 
     @atexit.register
     def stop() -> None:
-        server.should_exit = True
+        running.should_exit = True
         thread.join(2 * FAREWELL)
 
     return f"http://127.0.0.1:{listener.getsockname()[1]}"
