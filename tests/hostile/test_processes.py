@@ -113,7 +113,7 @@ def test_at_the_end_everybody_gets_an_answer_or_is_told_to_ask_again(tmp_path, w
 
 def test_work_that_does_not_end_in_time_is_called_off_and_told_so(tmp_path):
     """With no time at all for what is in flight: nobody could wait for its eight seconds."""
-    with serving(tmp_path, {"serving.LONGEST_FAREWELL": 0}, most_long=1) as server:
+    with serving(tmp_path, limits={"serving.LONGEST_FAREWELL": 0}, most_long=1) as server:
         with concurrent.futures.ThreadPoolExecutor(2) as pool:
             asked = [pool.submit(server.get, f"{LONG}&floor=0.{i}") for i in (1, 2)]
             until(lambda: server.metric("restitution_computations") == 2)

@@ -146,7 +146,8 @@ def _bury(worker: SpawnProcess) -> None:
     """Say that a worker has died, and forget what it was about."""
     assert worker.pid
     assert worker.exitcode is not None
-    mark_process_dead(worker.pid)  # type: ignore[no-untyped-call]
+    if "PROMETHEUS_MULTIPROC_DIR" in os.environ:
+        mark_process_dead(worker.pid)  # type: ignore[no-untyped-call]
     if worker.exitcode > 0:
         # it failed by itself, and would again
         LOGGER.error("a worker failed, the service ends", pid=worker.pid, status=worker.exitcode)
