@@ -47,6 +47,10 @@ class Serving:
         lines = self.log.read_text().splitlines()
         return [json.loads(line) for line in lines if line.startswith("{")]
 
+    def is_prepared(self):
+        """Fail unless nothing is prepared any more: what it takes is what requests take."""
+        assert any(event["event"] == "all is prepared" for event in self.events())
+
     def children(self):
         tasks = Path(f"/proc/{self.process.pid}/task")
         names = [c for t in tasks.iterdir() for c in (t / "children").read_text().split()]

@@ -35,6 +35,7 @@ def serving_well(folder, **limits):
     """Yield a server that has logged no error in the end."""
     named = {f"connections.{n}": value for n, value in limits.items()}
     with serving(folder, limits=named) as server:
+        eventually(server.is_prepared)
         yield server
         assert not [event for event in server.events() if event["level"] == "error"]
 

@@ -13,6 +13,7 @@ import restitution as rs
 from restitution.api.admission import MOST_HELD
 from restitution.api.calls import LONGEST_QUERY
 from servers import serving
+from waiting import eventually
 from work import counted
 
 MEGABYTE = 2**20
@@ -60,6 +61,7 @@ BODIES = {
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
     with serving(tmp_path_factory.mktemp("server")) as server:
+        eventually(server.is_prepared)
         yield server
 
 

@@ -90,6 +90,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         compress_page(app.state.frontend_directory)
         warm_rest()
         app.state.warm.set()
+        LOGGER.info("all is prepared", took_seconds=round(time.perf_counter() - begin, 1))
 
     LOGGER.info("preparing the kernels: compiled the first time, which takes half a minute")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()
