@@ -49,6 +49,10 @@ def complaints(server):
     return [e["event"] for e in server.events() if e["level"] in {"warning", "error", "critical"}]
 
 
+def assert_told(server, words):
+    assert [event for event in server.events() if words in str(event)]
+
+
 @pytest.fixture(scope="module")
 def everything(tmp_path_factory):
     """A folder with all that a server keeps, and what it answers."""
@@ -108,9 +112,11 @@ def test_a_server_builds_a_table_anew_that_is_well_formed_and_wrong(everything, 
 
 @pytest.mark.verify
 def test_a_server_does_without_room(everything, tmp_path):
-    command = ("prlimit", f"--fsize={2**16}")
+    command = ("prlimit", f"--fsize={2**17}")
     for _ in range(2):
-        with serving(tmp_path, command, at(tmp_path / "kept")) as server:
+        with starting(tmp_path, command, at(tmp_path / "kept")) as server:
+            # unasked, for the log is a file as well and tells of each question that came too early
+            eventually(lambda: assert_told(server, "ready"))
             assert answers(server) == everything[1]
             lines = complaints(server)
         # kernels, page, table
@@ -122,19 +128,12 @@ def test_a_server_does_without_room(everything, tmp_path):
 def test_a_server_does_without_descriptors(everything, tmp_path):
     """None is left while it compiles, and some are later."""
     with starting(tmp_path, environment=at(tmp_path / "kept")) as server:
-
-        def is_preparing():
-            assert [e for e in server.events() if e["event"].startswith("preparing")]
-
-        def is_told():
-            assert [line for line in complaints(server) if "Too many open files" in line]
-
         pid = server.process.pid
-        eventually(is_preparing)
+        eventually(lambda: assert_told(server, "preparing the kernels"))
         _, most = resource.prlimit(pid, resource.RLIMIT_NOFILE)
         in_use = len(list(Path(f"/proc/{pid}/fd").iterdir()))
         resource.prlimit(pid, resource.RLIMIT_NOFILE, (in_use, most))
-        eventually(is_told)
+        eventually(lambda: assert_told(server, "Too many open files"))
         resource.prlimit(pid, resource.RLIMIT_NOFILE, (most, most))
         wait_until_ready(server.url, server.process, server.log)
         assert answers(server) == everything[1]
