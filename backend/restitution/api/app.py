@@ -4,6 +4,7 @@ import itertools
 import threading
 import time
 from collections.abc import AsyncIterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
 
 from fastapi import FastAPI
@@ -73,8 +74,8 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             try:
                 prepare_all()
             except Exception:  # noqa: BLE001 - whatever it is, it may pass
-                # once the main thread is over, and the process ends, pools take nothing more
-                if not threading.main_thread().is_alive():
+                # at the end of the process no pool of threads takes anything more
+                if not _a_pool_works():
                     return
                 pause = min(FIRST_PAUSE * 2**attempt, LONGEST_PAUSE)
                 LOGGER.exception("not all could be prepared: tried again", in_seconds=pause)
@@ -95,3 +96,12 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     LOGGER.info("preparing the kernels: compiled the first time, which takes half a minute")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()
     yield
+
+
+def _a_pool_works() -> bool:
+    with ThreadPoolExecutor(1) as pool:
+        try:
+            pool.submit(int)
+        except RuntimeError:
+            return False
+    return True
