@@ -187,6 +187,9 @@ class Connection(HttpToolsProtocol):
         if self._reading == BODY and self._last_words is None:
             self._refuse(503, f"{ENDING}; ask again")
         super().shutdown()
+        if self._is_over:
+            # who was refused has not as long to come to see it as otherwise
+            self.loop.call_later(ROUND, self.transport.abort)
 
     def _stop(self, status: int, detail: str) -> None:
         """Leave the parser with a refusal: it hides what it was left with."""
