@@ -22,8 +22,8 @@ from restitution.api.warm import warm, warm_rest
 
 ROOMS = (collisions, scaling, table, tradeoff, paper, service)
 
-FIRST_PAUSE, LONGEST_PAUSE = 5, 300
-"""Seconds from a failure to prepare to the next try: twice as long each time."""
+FIRST_PAUSE, LONGEST_PAUSE = 5, 30
+"""Seconds from a failure to prepare to the next try: twice as long each time, up to the second."""
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
