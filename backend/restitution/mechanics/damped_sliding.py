@@ -27,6 +27,13 @@ BESIDE = 1e-9
 
 
 @compiled
+def rounding_of(contact: Viscoelastic) -> float:
+    """Return the relative error of the normal motion, of which each piece adds a rounding."""
+    pieces: int = contact.pieces.shape[0]
+    return ROUNDING * max(8.0, pieces)
+
+
+@compiled
 def place(contact: Viscoelastic, falling: bool, time: float) -> float:
     """Return q at a time from the start, or to the end when `falling`."""
     longest = contact.duration - contact.peak_time if falling else contact.peak_time
@@ -116,7 +123,8 @@ def has_ended(
     if falling:
         excess = double * (lacking - loss) + slope
     terms = cap + 2.0 * root * root * (contact.a + contact.b * root * cap)
-    rounding = double * spring.error + 8.0 * ROUNDING * (double * (loss + abs(target)) + terms)
+    terms += double * (loss + abs(target))
+    rounding = double * spring.error + rounding_of(contact) * terms
     return excess >= 0.0, abs(excess) > rounding
 
 
@@ -163,7 +171,7 @@ def sliding_end(
     target = towards + loss
     lacking = loss - towards if falling else contact.impulse - target
     short = kappa * lacking - contact.last_slope
-    rounding = 8.0 * ROUNDING * (kappa * (abs(target) + 2.0) + contact.last_slope)
+    rounding = rounding_of(contact) * (kappa * (abs(target) + 2.0) + contact.last_slope)
     certain = abs(short) > kappa * spring.error + rounding
     time = contact.duration - time if falling else time
     high = q if falling else contact.rising_end

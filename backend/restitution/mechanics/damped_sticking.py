@@ -15,12 +15,11 @@ from restitution.mechanics.damped_normal_motion import (
     damped_motion,
     rate_at,
 )
-from restitution.mechanics.damped_sliding import at_time, place
+from restitution.mechanics.damped_sliding import at_time, place, rounding_of
 from restitution.mechanics.switching import (
     MOST_STEPS,
     NEGLIGIBLE,
     NOWHERE,
-    ROUNDING,
     Spring,
     newton_within,
 )
@@ -52,7 +51,8 @@ def gap_and_lead(
     phase, followed = omega * time, 0.0
     if t0 > 0.0:
         phase, followed = 1.0 + phase, omega * spring.error
-    rounding = 8.0 * ROUNDING * (root * cap + abs(load) + phase * math.hypot(force, pull))
+    terms = root * cap + abs(load) + phase * math.hypot(force, pull)
+    rounding = rounding_of(contact) * terms
     lead = slope * load - 2.0 * root * root * cap * omega * moving
     return gap, lead, abs(gap) > rounding + followed
 
