@@ -57,11 +57,11 @@ DEAREST: dict[str, str | tuple[str, object]] = {
 
 async def _besides(port: int, dear: str | tuple[str, object] | None) -> dict[str, object]:
     """Return what a client waits that asks for one collision after another."""
+    body = b"" if isinstance(dear, str) or dear is None else json.dumps(dear[1]).encode()
     end = time.perf_counter() + SECONDS
     statuses: dict[int, int] = {}
 
     async def insist() -> None:
-        body = b"" if isinstance(dear, str) or dear is None else json.dumps(dear[1]).encode()
         path = dear if isinstance(dear, str) else dear[0] if dear else ""
         while time.perf_counter() < end:
             connection = await connect(port)

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from restitution.api.serving import listeners
 from restitution.cli import main
+from restitution.errors import RestitutionError
 from servers import starting
 from waiting import LIMIT_SECONDS, eventually
 
@@ -83,6 +85,12 @@ def test_a_port_that_somebody_has_is_refused():
         done = run("serve", "--port", str(port))
     assert (done.exit_code, done.stdout) == (1, "")
     assert f"cannot listen at 127.0.0.1:{port}: Address already in use" in done.stderr
+
+
+def test_of_two_that_begin_at_the_same_moment_one_has_the_port():
+    (first,) = listeners("127.0.0.1", 0)
+    with first, pytest.raises(RestitutionError, match="Address already in use"):
+        listeners(*first.getsockname())
 
 
 @pytest.mark.parametrize("arguments", [["--out", "/nowhere/x.json"], ["--report", "/nowhere/x.md"]])

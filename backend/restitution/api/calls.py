@@ -26,7 +26,7 @@ from restitution.api.transport import known_tag
 from restitution.bounds import values
 from restitution.mechanics.compiled import fingerprint
 from restitution.wire.formats import Result, formed
-from restitution.wire.parsing import refuse_costly
+from restitution.wire.parsing import Parts
 from restitution.wire.queries import FormQuery
 from restitution.wire.reading import read_object, read_query
 from restitution.wire.refusals import RefusedParametersError, refusal
@@ -148,8 +148,7 @@ class Calls(APIRouter):
         def declare(compute: Compute[Asked]) -> Compute[Asked]:
             async def endpoint(request: Request) -> Response:
                 form = parameters(request, FormQuery)
-                async with _body(request, largest) as text:
-                    refuse_costly(text, most_elements)
+                async with _body(request, largest, Parts(most_elements)) as text:
                     work = functools.partial(
                         _computed,
                         request,
@@ -258,7 +257,7 @@ def _in_blocks(kind: str, blocks: Iterator[bytes], headers: Mapping[str, str]) -
 
 
 @asynccontextmanager
-async def _body(request: Request, largest: int) -> AsyncIterator[bytes]:
+async def _body(request: Request, largest: int, parts: Parts) -> AsyncIterator[bytes]:
     """Hold the body of a request as long as it is worked on.
 
     Raises
@@ -267,6 +266,8 @@ async def _body(request: Request, largest: int) -> AsyncIterator[bytes]:
         415 for another content type, 413 for too much.
     SaturatedError
         If the bodies of others leave no room for it.
+    MalformedBodyError, CostError
+        If it has too many parts.
     """
     admission, size = admission_of(request), 0
     kind = request.headers.get("content-type", "").split(";")[0].strip().lower()
@@ -279,6 +280,7 @@ async def _body(request: Request, largest: int) -> AsyncIterator[bytes]:
             size += len(chunk)
             if size > largest:
                 raise HTTPException(413, f"the body is larger than {largest:,} bytes")
+            parts.count(chunk)
             pieces.append(chunk)
         body = b"".join(pieces)
         # not held twice

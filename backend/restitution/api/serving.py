@@ -21,6 +21,9 @@ from restitution.errors import RestitutionError
 LONGEST_FAREWELL = 8
 """Seconds that requests in flight get when the service stops; supervisors wait for ten."""
 
+BACKLOG = 2048
+"""Connections that wait to be accepted, as uvicorn has it."""
+
 SPAWN = multiprocessing.get_context("spawn")
 
 
@@ -62,7 +65,7 @@ def server(app: Any, farewell: int) -> Server:
 
 
 def listeners(host: str, port: int) -> list[socket.socket]:
-    """Return a socket for each address of `host`, at the same port; nobody listens yet.
+    """Return a listening socket for each address of `host`, at the same port.
 
     Raises
     ------
@@ -83,6 +86,8 @@ def listeners(host: str, port: int) -> list[socket.socket]:
                 each.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
             # a port that was chosen is the same for all
             each.bind((address[0], port or bound[0].getsockname()[1], *address[2:]))
+            # two that begin at the same moment may both bind; only one may listen
+            each.listen(BACKLOG)
     except (OSError, UnicodeError) as error:
         for each in bound:
             each.close()

@@ -20,7 +20,7 @@ from restitution.studies.spheres.bodies import NotNegative, Positive
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import AnyImpact
 from restitution.wire.arrays import MOST_ITEMS, number_array
-from restitution.wire.parsing import parse_named
+from restitution.wire.parsing import parse_lists
 from restitution.wire.reading import adapter, entries
 from restitution.wire.refusals import RefusedParametersError, refusal
 
@@ -182,7 +182,7 @@ def read_collisions(text: bytes) -> CollisionsBody:
     CostError
         If there are more than `MOST_ITEMS`.
     """
-    body = parse_named(text, annotations(CollisionsBody))
+    body = parse_lists(text)
     _refuse_too_many(len(value) for value in body.values() if isinstance(value, list))
     arrays, errors = {}, []
     for name, many in MANY.items():
