@@ -19,7 +19,8 @@ LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-versio
 # those that take the longest.
 SHARED_OUT := -n 2 --dist loadfile --no-loadscope-reorder
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
-WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_nginx.py)" && export NGINX &&
+WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_proxy.py nginx)" && export NGINX &&
+WITH_APACHE := APACHE2="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_proxy.py apache2)" && export APACHE2 &&
 
 .DEFAULT_GOAL := help
 .PHONY: help serve test coverage check format bench times load tradeoff verify screenshots pictures types fonts lock clean
@@ -35,7 +36,7 @@ test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browse
 	@# keep the others from being told.
 	@status=0; \
 	$(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "not browser and not verify" || status=1; \
-	$(WITH_CHROMIUM) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
 
@@ -76,7 +77,7 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
-	@$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python tests/verify.py
+	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_APACHE) $(BIN)/python tests/verify.py
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py

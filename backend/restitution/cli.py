@@ -14,8 +14,20 @@ import click
 from click.core import ParameterSource
 
 from restitution.api.page import compress_page
-from restitution.api.serving import address_of, listeners, serve_alone, serve_in_workers
-from restitution.api.settings import Settings, SettingsError, settings_of_environment, strangers
+from restitution.api.serving import (
+    address_of,
+    listeners,
+    serve_alone,
+    serve_in_workers,
+    unix_listener,
+)
+from restitution.api.settings import (
+    PREFIX,
+    Settings,
+    SettingsError,
+    settings_of_environment,
+    strangers,
+)
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.errors import RestitutionError
@@ -53,16 +65,34 @@ def main() -> None:
     show_default=True,
     help="Port to listen on; 0 for any that is free.",
 )
-def serve(host: str, port: int) -> None:
+@click.option("--uds", metavar="PATH", help="Unix socket to listen on instead.")
+@click.option(
+    "--root-path",
+    metavar="PATH",
+    help="Path at which a proxy shows the service and which it cuts off, as /restitution.",
+)
+@click.option(
+    "--forwarded-allow-ips",
+    metavar="ADDRESSES",
+    help="Proxies whose X-Forwarded-Prefix is believed; * for all.  [default: this machine]",
+)
+def serve(
+    host: str, port: int, uds: str | None, root_path: str | None, forwarded_allow_ips: str | None
+) -> None:
     """Serve the page and the API."""
+    # workers have them from there
+    for name, value in (("root_path", root_path), ("forwarded_allow_ips", forwarded_allow_ips)):
+        if value is not None:
+            os.environ[f"{PREFIX}{name.upper()}"] = value
     settings = _settings()
     for name in strangers():
         click.echo(f"{name} is no setting of the server and does nothing", err=True)
     try:
-        sockets = listeners(host, port)
+        sockets = [unix_listener(uds)] if uds else listeners(host, port)
     except RestitutionError as taken:
         raise click.ClickException(str(taken)) from taken
-    click.echo(f"serving http://{address_of(host, sockets[0].getsockname()[1])}")
+    where = uds or f"http://{address_of(host, sockets[0].getsockname()[1])}"
+    click.echo(f"serving {where}")
     if settings.workers == 1:
         serve_alone(sockets)
         return

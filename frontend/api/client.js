@@ -78,7 +78,7 @@ function politePause(response, signal) {
 }
 
 /** The only place that knows the server. */
-export function createClient({ base = "/api/v1", fetch = globalThis.fetch.bind(globalThis) } = {}) {
+export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(globalThis) } = {}) {
   /**
    * @param {string} url
    * @param {AbortSignal} [signal]

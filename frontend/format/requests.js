@@ -12,22 +12,30 @@
 const PLAIN_MARKS = /%2C/g;
 
 /**
+ * Where the server is, as the address of its page says: it may be below a path of a proxy.
+ * @param {string} page
+ */
+export function serverOf(page) {
+  return new URL(".", page).href;
+}
+
+/**
  * The address of a request.
  * @param {Request} request
- * @param {string} [origin] of the server, nothing for this page's own
+ * @param {string} [server] with a slash at its end; nothing for this page's own
  */
-export function addressOf({ call, query }, origin = "") {
+export function addressOf({ call, query }, server = "") {
   const marks = String(new URLSearchParams(query)).replace(PLAIN_MARKS, ",");
-  return `${origin}/api/v1/${call}${marks && "?"}${marks}`;
+  return `${server}api/v1/${call}${marks && "?"}${marks}`;
 }
 
 /**
  * The request as a line for a shell.
  * @param {Request} request
- * @param {string} origin
+ * @param {string} server
  */
-export function curlOf(request, origin) {
-  const address = `curl "${addressOf(request, origin)}"`;
+export function curlOf(request, server) {
+  const address = `curl "${addressOf(request, server)}"`;
   return request.body
     ? `${address} -H "Content-Type: application/json" -d '${JSON.stringify(request.body)}'`
     : address;
@@ -36,9 +44,9 @@ export function curlOf(request, origin) {
 /**
  * The request as a Python program that needs no package.
  * @param {Request} request
- * @param {string} origin
+ * @param {string} server
  */
-export function pythonOf({ call, query, body }, origin) {
+export function pythonOf({ call, query, body }, server) {
   if (body) {
     return `import json
 from urllib.request import Request, urlopen
@@ -47,7 +55,7 @@ body = json.loads("""
 ${JSON.stringify(body, null, 2)}
 """)
 request = Request(
-    "${origin}/api/v1/${call}",
+    "${server}api/v1/${call}",
     json.dumps(body).encode(),
     {"Content-Type": "application/json"},
 )
@@ -65,7 +73,7 @@ from urllib.request import urlopen
 parameters = {
 ${lines.join("\n")}
 }
-with urlopen("${origin}/api/v1/${call}?" + urlencode(parameters)) as answer:
+with urlopen("${server}api/v1/${call}?" + urlencode(parameters)) as answer:
     result = json.load(answer)
 print(list(result))`;
 }

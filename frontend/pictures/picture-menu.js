@@ -1,6 +1,6 @@
 // @ts-check
 
-import { addressOf, curlOf, fileName, frameOf, pythonOf } from "../format/requests.js";
+import { addressOf, curlOf, fileName, frameOf, pythonOf, serverOf } from "../format/requests.js";
 import { writeAddress } from "../state/url.js";
 import { find } from "../widgets/find.js";
 import { download } from "./download.js";
@@ -190,8 +190,8 @@ export function mountPictureMenu(panel, picture, present, load) {
   function showRequest() {
     const request = picture.request();
     openSheet(`Request: ${picture.title}`, [
-      codeBlock("curl", curlOf(request, location.origin)),
-      codeBlock("Python", pythonOf(request, location.origin)),
+      codeBlock("curl", curlOf(request, serverOf(location.href))),
+      codeBlock("Python", pythonOf(request, serverOf(location.href))),
     ]);
   }
 

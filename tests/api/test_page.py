@@ -65,7 +65,7 @@ def test_files_without_a_version_are_asked_for_again_and_found_unchanged(client)
 
 def addresses(client):
     """Return what the page loads from the folder of its files."""
-    return re.findall(r'(?:href|src)="(/static/[^"]+)"', client.get("/").text)
+    return re.findall(r'(?:href|src)="(static/[^"]+)"', client.get("/").text)
 
 
 def test_files_at_the_addresses_of_the_page_are_kept(client):
@@ -79,7 +79,7 @@ def test_files_at_the_addresses_of_the_page_are_kept(client):
 
 def test_page_announces_its_modules_and_not_those_of_the_lesson(client):
     announced = re.findall(
-        r'rel="modulepreload" href="/static/\w{16}/([^"]+)"', client.get("/").text
+        r'rel="modulepreload" href="static/\w{16}/([^"]+)"', client.get("/").text
     )
     assert announced == sorted(set(announced))
     assert "scenes/explorer/map.js" in announced
@@ -94,7 +94,7 @@ def test_an_unchanged_page_is_not_sent_again(client):
 
 
 def test_a_changed_file_has_a_new_address_and_is_not_kept_at_the_old_one(tmp_path):
-    (tmp_path / "index.html").write_text('<script type="module" src="/static/main.js"></script>')
+    (tmp_path / "index.html").write_text('<script type="module" src="static/main.js"></script>')
     (tmp_path / "main.js").write_text('import "./a.js";\n')
     (tmp_path / "a.js").write_text("// old")
     with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:

@@ -5,13 +5,15 @@ import json
 import os
 import re
 import signal
+import socket
+import subprocess
 import urllib.error
 import urllib.request
 
 import pytest
 
-from servers import serving
-from waiting import eventually
+from servers import program, serving
+from waiting import LIMIT_SECONDS, eventually
 
 COLLISION = "/api/v1/collision?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.4"
 LONG = (
@@ -147,6 +149,52 @@ def test_metrics_tell_requests_time_method_and_cost_refused(single):
     assert single.metric(r'restitution_compute_seconds_count\{call="collision"\}') >= 1
     pattern = r'http_requests_total\{handler="/api/v1/map",method="GET",status="413"\}'
     assert single.metric(pattern) >= 1
+
+
+def servers_named(server, **headers):
+    return [
+        each["url"] for each in json.loads(server.get("/openapi.json", **headers)[2])["servers"]
+    ]
+
+
+@pytest.mark.parametrize("said", ["//evil.example", "/a b", "restitution", "/", "/../..%2f"])
+def test_a_path_that_cannot_be_is_not_believed(single, said):
+    assert servers_named(single, **{"X-Forwarded-Prefix": said}) == ["./"]
+
+
+def test_a_proxy_of_this_machine_may_say_the_path(single):
+    said = {"X-Forwarded-Prefix": "/api"}
+    assert servers_named(single, **said) == ["/api", "./"]
+    # also where addresses of the service begin alike
+    assert single.get("/api/v1/presets", **said)[0] == 200
+    assert servers_named(single) == ["./"]
+
+
+def test_a_proxy_of_elsewhere_may_not_and_what_was_set_holds(tmp_path):
+    settings = {"root_path": "/bounce", "forwarded_allow_ips": "192.0.2.0/24"}
+    with serving(tmp_path, **settings) as server:
+        assert servers_named(server, **{"X-Forwarded-Prefix": "/other"}) == ["/bounce", "./"]
+        assert server.get("/static/main.js")[0] == 200
+
+
+def test_it_listens_at_a_socket_of_the_machine_and_takes_over_one_that_was_left(tmp_path):
+    path = tmp_path / "restitution.sock"
+    for _ in range(2):
+        # short, for the name of a socket may have a hundred letters
+        command = [*program(None), "serve", "--uds", path.name, "--root-path", "/bounce"]
+        with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE) as process:
+            try:
+                assert process.stdout.readline() == b"serving restitution.sock\n"
+                with socket.socket(socket.AF_UNIX) as client:
+                    client.settimeout(LIMIT_SECONDS)
+                    client.connect(os.path.relpath(path))
+                    client.sendall(b"GET /openapi.json HTTP/1.0\r\n\r\n")
+                    assert b'"url":"/bounce"' in b"".join(iter(lambda: client.recv(65536), b""))
+                taken = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+                assert taken.returncode == 1
+                assert b"cannot listen at restitution.sock: Address already in use" in taken.stderr
+            finally:
+                process.kill()
 
 
 def test_metrics_of_several_processes_are_added(double):

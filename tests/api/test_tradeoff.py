@@ -98,7 +98,7 @@ def test_a_run_measures_and_reports_its_progress(measuring):
     response = measuring.post({}, path="/tradeoff/runs", scene="solids")
     assert response.status_code == 202
     run = response.json()
-    assert response.headers["location"] == f"/api/v1/tradeoff/runs/{run['id']}"
+    assert response.headers["location"] == f"runs/{run['id']}"
     assert run["result"] is None
     done = finished(measuring, run)
     assert done["state"] == "done"

@@ -24,6 +24,14 @@ FAULTS = {
     "MOST_QUICK": {"-1": "must be an integer ≥ 1, got '-1'"},
     "MOST_LONG": {"nan": "must be an integer ≥ 1, got 'nan'"},
     "MOST_WAITING": {"1.5": "must be an integer ≥ 0, got '1.5'"},
+    "ROOT_PATH": {
+        text: f"must be a path as /restitution, got '{text}'"
+        for text in ("restitution", "/restitution/", "//evil.example", "/a b")
+    },
+    "FORWARDED_ALLOW_IPS": {
+        text: f"must be addresses and networks with commas between them, or *, got '{text}'"
+        for text in ("proxy", "10.0.0.0/33", "", "127.0.0.1,")
+    },
     "LOG_REQUESTS": {"perhaps": "must be true or false, got 'perhaps'"},
     "TRADEOFF_RUNS": {"2": "must be true or false, got '2'"},
     "FRONTEND_DIRECTORY": {"/nowhere": "must be a folder that holds index.html"},

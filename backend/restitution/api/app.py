@@ -17,7 +17,7 @@ from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, paper, scaling, service, table, tradeoff
 from restitution.api.runs import Runs
 from restitution.api.settings import Settings, settings_of_environment
-from restitution.api.transport import Compression, HeadersAndHead, OpenDoors
+from restitution.api.transport import BelowPath, Compression, HeadersAndHead, OpenDoors
 from restitution.api.warm import warm, warm_rest
 
 ROOMS = (collisions, scaling, table, tradeoff, paper, service)
@@ -55,6 +55,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.include_router(room.calls)
     app.include_router(service.health)
     observe(app, log_requests=settings.log_requests)
+    app.add_middleware(BelowPath, settings.root_path, settings.forwarded_allow_ips)
     document.install(app, [body for room in ROOMS for body in room.calls.bodies])
     add_reference_pages(app)
     add_page(app, settings.frontend_directory)

@@ -58,7 +58,7 @@ HEADERS = {
     "NoStore": _header("Not to be kept.", "^no-store$"),
     "ServerTiming": _header("What computing took, in ms.", r"^compute;dur=\d+(\.\d+)?$"),
     "RetryAfter": _header("Seconds after which to ask again.", r"^\d+$"),
-    "Location": _header("Where its progress is told.", "^/api/v1/tradeoff/runs/[0-9a-f]+$"),
+    "Location": _header("Where its progress is told.", "^runs/[0-9a-f]+$"),
 }
 
 
@@ -152,7 +152,8 @@ def about() -> dict[str, Any]:
         "summary": "Coefficient of tangential restitution of colliding frictional spheres",
         "description": ABOUT,
         "license_info": {"name": "MIT", "identifier": "MIT"},
-        "servers": [{"url": "/", "description": "this server"}],
+        # relative to the document, which may stand below any path of a proxy
+        "servers": [{"url": "./", "description": "this server"}],
         "openapi_tags": TAGS,
         "generate_unique_id_function": _operation_id,
     }

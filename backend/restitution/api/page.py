@@ -122,14 +122,17 @@ def _version(state: State) -> str:
 
 @lru_cache(maxsize=2)
 def _versioned_page(directory: Path, state: State) -> str:
-    """Return the page with addresses that change with the files, and its modules announced."""
+    """Return the page with addresses that change with the files, and its modules announced.
+
+    All are relative, for the page may stand below any path of a proxy.
+    """
     modules = (path.relative_to(directory) for path in _imported(directory / "main.js"))
     announced = "\n    ".join(
-        f'<link rel="modulepreload" href="/static/{module.as_posix()}" />'
+        f'<link rel="modulepreload" href="static/{module.as_posix()}" />'
         for module in sorted(modules)
     )
     text = _assembled(directory).replace("<!-- modules -->", announced)
-    return text.replace('="/static/', f'="/static/{_version(state)}/')
+    return text.replace('="static/', f'="static/{_version(state)}/')
 
 
 def _assembled(directory: Path) -> str:

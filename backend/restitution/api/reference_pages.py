@@ -25,13 +25,15 @@ CACHED = {"Cache-Control": "public, max-age=86400"}
 
 def add_reference_pages(app: FastAPI) -> None:
     """Let `app` show its description for people, at ``/docs`` and ``/redoc``."""
-    description, icon = "/openapi.json", f"{ASSETS_ADDRESS}/favicon.png"
+    # relative, for the pages may stand below any path of a proxy
+    assets = ASSETS_ADDRESS.removeprefix("/")
+    description, icon = "openapi.json", f"{assets}/favicon.png"
     swagger = _page(
         get_swagger_ui_html(
             openapi_url=description,
             title=f"{app.title}: calls to try",
-            swagger_js_url=f"{ASSETS_ADDRESS}/swagger-ui-bundle.js",
-            swagger_css_url=f"{ASSETS_ADDRESS}/swagger-ui.css",
+            swagger_js_url=f"{assets}/swagger-ui-bundle.js",
+            swagger_css_url=f"{assets}/swagger-ui.css",
             swagger_favicon_url=icon,
             # without it, anywhere but on one's own machine, a validator elsewhere is asked
             swagger_ui_parameters={"validatorUrl": None},
@@ -41,7 +43,7 @@ def add_reference_pages(app: FastAPI) -> None:
         get_redoc_html(
             openapi_url=description,
             title=f"{app.title}: calls to read",
-            redoc_js_url=f"{ASSETS_ADDRESS}/redoc.standalone.js",
+            redoc_js_url=f"{assets}/redoc.standalone.js",
             redoc_favicon_url=icon,
             with_google_fonts=False,
         ),

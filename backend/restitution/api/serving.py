@@ -10,6 +10,7 @@ import threading
 import time
 from multiprocessing.connection import wait
 from multiprocessing.context import SpawnProcess
+from pathlib import Path
 from typing import Any
 
 import uvicorn
@@ -95,6 +96,34 @@ def listeners(host: str, port: int) -> list[socket.socket]:
         reason = getattr(error, "strerror", None) or "there is no such host"
         raise RestitutionError(f"cannot listen at {address_of(host, port)}: {reason}") from error
     return bound
+
+
+def unix_listener(path: str) -> socket.socket:
+    """Return a listening socket of this machine alone, which anybody here may speak to.
+
+    Raises
+    ------
+    RestitutionError
+        If it cannot be made, or somebody listens there.
+    """
+    found = socket.socket(socket.AF_UNIX)
+    try:
+        if Path(path).is_socket() and not _is_served(path):
+            # left by a server that was killed
+            Path(path).unlink()
+        found.bind(path)
+        Path(path).chmod(0o666)
+        found.listen(BACKLOG)
+    except (OSError, ValueError) as error:
+        found.close()
+        reason = getattr(error, "strerror", None) or error
+        raise RestitutionError(f"cannot listen at {path}: {reason}") from error
+    return found
+
+
+def _is_served(path: str) -> bool:
+    with socket.socket(socket.AF_UNIX) as asking:
+        return asking.connect_ex(path) == 0
 
 
 def address_of(host: str, port: int) -> str:

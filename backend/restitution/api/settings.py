@@ -1,12 +1,14 @@
 """What an administrator may set: environment variables that begin with RESTITUTION_."""
 
 import difflib
+import ipaddress
 import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated
 
 from annotated_types import Ge, Le
+from pydantic import AfterValidator, StringConstraints
 
 from restitution.bounds import Words, annotations, closed
 from restitution.errors import RestitutionError
@@ -17,6 +19,17 @@ PREFIX = "RESTITUTION_"
 
 MISSPELT = 0.8
 """How much of a name must be a setting's to be meant for it, as difflib counts."""
+
+
+PATH = r"(/[\w.~-]+)+"
+"""Of a proxy, below which it shows the service; no slash at its end."""
+
+
+def _networks(text: str) -> str:
+    """Return addresses and networks with commas between them, or *; ValueError for others."""
+    for each in text.split(",") if text.strip() != "*" else []:
+        ipaddress.ip_network(each.strip())
+    return text
 
 
 class SettingsError(RestitutionError):
@@ -44,6 +57,18 @@ class Settings:
 
     most_waiting: Annotated[int, Ge(0)] = 32
     """Longer computations that wait in one process; more are answered 503."""
+
+    root_path: Annotated[
+        str, StringConstraints(pattern=f"^({PATH})?$"), Words("a path as /restitution")
+    ] = ""
+    """Path at which a proxy shows the service, which it cuts off before it passes requests on."""
+
+    forwarded_allow_ips: Annotated[
+        str,
+        AfterValidator(_networks),
+        Words("addresses and networks with commas between them, or *"),
+    ] = "127.0.0.1,::1"
+    """Of proxies whose X-Forwarded-Prefix is believed, which says the same."""
 
     log_requests: Annotated[bool, Words("true or false")] = False
     """Whether every request is logged; else those that are refused for saturation or fail."""

@@ -1,12 +1,16 @@
 """What happens to every answer on its way out: compression, headers, HEAD."""
 
+import re
+
 from fastapi import Response
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.middleware.cors import CORSMiddleware
 from starlette.middleware.gzip import GZipMiddleware
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from restitution.api.problems import problem
+from restitution.api.settings import PATH
 
 COMPRESSED = '-gzip"'
 """Ends the entity tag of an answer that was compressed: a strong tag names bytes."""
@@ -79,6 +83,31 @@ class HeadersAndHead:
             await send(message)
 
         await self._app({**scope, "method": "GET"} if head else scope, receive, with_headers)
+
+
+class BelowPath:
+    """Tell the application the path at which a proxy shows it: its description names it.
+
+    Pages need none, for all their addresses are relative.
+    """
+
+    def __init__(self, app: ASGIApp, root_path: str, proxies: str) -> None:
+        self._app, self._root_path = app, root_path
+        # of this only the reading of addresses and networks: who asks is nobody's business
+        self._proxies = ProxyHeadersMiddleware(app, proxies).trusted_hosts  # type: ignore[arg-type]
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Answer a request."""
+        if scope["type"] == "http" and (path := self._path(scope)):
+            scope = {**scope, "root_path": path, "path": path + scope["path"]}
+        await self._app(scope, receive, send)
+
+    def _path(self, scope: Scope) -> str:
+        """Return what a proxy says that may say so, else what was set."""
+        said = Headers(scope=scope).get("x-forwarded-prefix", "").rstrip("/")
+        client = scope.get("client")
+        is_believed = (client[0] if client else None) in self._proxies
+        return said if is_believed and re.fullmatch(PATH, said) else self._root_path
 
 
 class OpenDoors(CORSMiddleware):

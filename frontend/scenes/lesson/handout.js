@@ -1,5 +1,6 @@
 // @ts-check
 
+import { serverOf } from "../../format/requests.js";
 import { LANGUAGES } from "../../state/language.js";
 import { STEPS, textsOf } from "../../state/lesson.js";
 import { make, told } from "../../widgets/elements.js";
@@ -142,5 +143,5 @@ function addressOf(step, language) {
   if (language !== LANGUAGES[0].id) {
     query.set("lang", language);
   }
-  return `${location.origin}/?${query}`;
+  return `${serverOf(location.href)}?${query}`;
 }

@@ -7,34 +7,40 @@ import {
   fileName,
   frameOf,
   pythonOf,
+  serverOf,
 } from "../../../frontend/format/requests.js";
 
-const ORIGIN = "https://example.org";
+const SERVER = "https://example.org/bounce/";
 const REQUEST = { call: "trace", query: { kappa: "63", quantities: "time,normal_force" } };
 
 test("addressOf is the API's address with every parameter, commas left readable", () => {
-  const address = "/api/v1/trace?kappa=63&quantities=time,normal_force";
+  const address = "api/v1/trace?kappa=63&quantities=time,normal_force";
   assert.equal(addressOf(REQUEST), address);
-  assert.equal(curlOf(REQUEST, ORIGIN), `curl "${ORIGIN}${address}"`);
+  assert.equal(curlOf(REQUEST, SERVER), `curl "${SERVER}${address}"`);
+});
+
+test("serverOf is where the page is, below whatever path of a proxy", () => {
+  assert.equal(serverOf("https://example.org/?kappa=63"), "https://example.org/");
+  assert.equal(serverOf("https://example.org/bounce/?scene=lesson#laws"), SERVER);
 });
 
 test("pythonOf writes numbers as numbers and words as words", () => {
   const program = pythonOf(
     { call: "map", query: { kappa_min: "1e-7", kappa_scale: "log" } },
-    ORIGIN,
+    SERVER,
   );
   assert.match(program, /^ {4}"kappa_min": 1e-7,$/m);
   assert.match(program, /^ {4}"kappa_scale": "log",$/m);
-  assert.match(program, /urlopen\("https:\/\/example\.org\/api\/v1\/map\?" \+ urlencode/);
+  assert.match(program, /urlopen\("https:\/\/example\.org\/bounce\/api\/v1\/map\?" \+ urlencode/);
 });
 
 test("what is posted is written out for the shell and for Python", () => {
   const request = { call: "scaling", query: {}, body: { friction_coefficient: 0.4 } };
   assert.equal(
-    curlOf(request, ORIGIN),
-    `curl "${ORIGIN}/api/v1/scaling" -H "Content-Type: application/json" -d '{"friction_coefficient":0.4}'`,
+    curlOf(request, SERVER),
+    `curl "${SERVER}api/v1/scaling" -H "Content-Type: application/json" -d '{"friction_coefficient":0.4}'`,
   );
-  assert.match(pythonOf(request, ORIGIN), /"friction_coefficient": 0\.4/);
+  assert.match(pythonOf(request, SERVER), /"friction_coefficient": 0\.4/);
 });
 
 test("frameOf escapes the address for an attribute", () => {

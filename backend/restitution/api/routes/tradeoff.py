@@ -120,7 +120,8 @@ def _described(run: Run, status: int = 200) -> Response:
     }
     headers = {"Cache-Control": "no-store"}
     if status == 202:
-        headers["Location"] = f"/api/v1/tradeoff/runs/{run.id}"
+        # relative to the address that was posted to, for the client may know that by another path
+        headers["Location"] = f"runs/{run.id}"
     return Response(orjson.dumps(body), status, headers, "application/json")
 
 

@@ -1,0 +1,107 @@
+"""The page behind a proxy that shows it below a path, and in the frame of a stranger's page."""
+
+import http.server
+import threading
+import urllib.parse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from example import PROGRAMS, behind
+from explorer import Witness, text
+from playwright.sync_api import Browser, Page
+from rest import count_pending, eventually, rest
+from set_up_proxy import proxy_of_machine
+
+pytestmark = pytest.mark.browser
+
+SCENES = ["", "?scene=spheres", "?scene=accuracy", "?scene=paper", "?scene=lesson&step=2"]
+EMBED = "?embed=force"
+PAGES = [*SCENES, EMBED, "docs", "redoc"]
+FIRST_SEEN = {"", EMBED}
+"""Where ε_t stands in the strip."""
+
+
+@pytest.fixture(
+    params=["nginx", *(pytest.param(n, marks=pytest.mark.verify) for n in ("apache", "traefik"))]
+)
+def base(request: pytest.FixtureRequest, server: str, tmp_path: Path) -> Iterator[str]:
+    """Where a proxy shows the server."""
+    if not proxy_of_machine(PROGRAMS[request.param]):
+        pytest.skip(f"there is no {request.param}")
+    port = urllib.parse.urlsplit(server).port
+    assert port
+    with behind(request.param, tmp_path / "proxy", port) as address:
+        yield f"{address}/"
+
+
+@pytest.fixture
+def stranger(browser: Browser) -> Iterator[Page]:
+    """A page of somebody who has not seen the service before, nor its proxy's certificate."""
+    with browser.new_context(ignore_https_errors=True, reduced_motion="reduce") as context:
+        count_pending(context)
+        yield context.new_page()
+
+
+def test_every_scene_is_there(stranger: Page, base: str):
+    witness = Witness(stranger, base)
+    bad: list[str] = []
+    stranger.on("response", lambda r: r.status >= 400 and bad.append(f"{r.status} {r.url}"))
+    for path in PAGES:
+        stranger.goto(base + path)
+        rest(stranger)
+        assert stranger.url.startswith(base), path
+        if path in FIRST_SEEN:
+            assert text(stranger, "epsilon-t") != "–", path
+    assert (witness.words, witness.strangers, bad) == ([], [], [])
+
+
+def test_what_the_page_gives_away_leads_back_to_it(stranger: Page, base: str):
+    stranger.goto(base)
+    rest(stranger)
+    stranger.get_by_test_id("menu-force").click()
+    stranger.locator(":popover-open").get_by_text("API request", exact=True).click()
+    assert f"{base}api/v1/trace?" in stranger.get_by_test_id("sheet").inner_text()
+
+
+@contextmanager
+def another_host(folder: Path) -> Iterator[str]:
+    """Yield where somebody else serves a folder: by its port it is another origin."""
+
+    class Quiet(http.server.SimpleHTTPRequestHandler):
+        def __init__(self, *given: object) -> None:
+            super().__init__(*given, directory=str(folder))  # type: ignore[arg-type]
+
+        def log_message(self, *_: object) -> None:
+            pass
+
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet) as host:
+        thread = threading.Thread(target=host.serve_forever)
+        thread.start()
+        try:
+            yield f"http://127.0.0.1:{host.server_port}"
+        finally:
+            host.shutdown()
+            thread.join()
+
+
+def test_it_works_in_a_frame_that_may_run_scripts_and_nothing_else(
+    stranger: Page, base: str, tmp_path: Path
+):
+    witness = Witness(stranger, base)
+
+    def assert_told() -> None:
+        shown = stranger.frame_locator("iframe").get_by_test_id("epsilon-t").inner_text()
+        assert any(character.isdigit() for character in shown), stranger.url
+
+    with another_host(tmp_path) as host:
+        for path in ["", "?scene=paper", EMBED]:
+            frame = f'<iframe sandbox="allow-scripts" width="1200" height="700" src="{base}{path}">'
+            (tmp_path / "index.html").write_text(f"<!doctype html>{frame}</iframe>")
+            stranger.goto(f"{host}/?{urllib.parse.quote(path)}")
+            stranger.frame_locator("iframe").locator("main").wait_for()
+            if path in FIRST_SEEN:
+                eventually(assert_told, stranger)
+    assert witness.words == []
+    assert [url for url in witness.strangers if not url.startswith(host)] == []
