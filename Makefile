@@ -19,8 +19,9 @@ LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-versio
 # those that take the longest.
 SHARED_OUT := -n 2 --dist loadfile --no-loadscope-reorder
 WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" && export CHROMIUM &&
-WITH_NGINX := NGINX="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_proxy.py nginx)" && export NGINX &&
-WITH_APACHE := APACHE2="$$(PYTHONPATH=tests/browser $(BIN)/python tests/deploy/set_up_proxy.py apache2)" && export APACHE2 &&
+SET_UP := $(BIN)/python tests/browser/set_up_program.py
+WITH_NGINX := NGINX="$$($(SET_UP) nginx)" && export NGINX &&
+WITH_MORE := APACHE2="$$($(SET_UP) apache2)" FIREFOX_ESR="$$($(SET_UP) firefox-esr)" && export APACHE2 FIREFOX_ESR &&
 
 .DEFAULT_GOAL := help
 .PHONY: help serve test coverage check format bench times load tradeoff verify screenshots pictures types fonts lock clean
@@ -77,7 +78,7 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
-	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_APACHE) $(BIN)/python tests/verify.py
+	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_MORE) $(BIN)/python tests/verify.py
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py

@@ -2,6 +2,9 @@
 
 import { splitSymbols } from "../format/symbols.js";
 
+/** A number and its sign of percent are in one line. */
+const UNBROKEN = "\u202f%";
+
 /** @type {WeakMap<HTMLElement, string>} */
 const written = new WeakMap();
 
@@ -27,7 +30,7 @@ function set({ plain, letter, index, power }) {
     return [holding("sup", power)];
   }
   if (!letter) {
-    return [document.createTextNode(plain ?? "")];
+    return [document.createTextNode((plain ?? "").replaceAll(" %", UNBROKEN))];
   }
   return index ? [holding("var", letter), holding("sub", index)] : [holding("var", letter)];
 }

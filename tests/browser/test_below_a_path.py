@@ -12,7 +12,7 @@ from example import PROGRAMS, behind
 from explorer import Witness, text
 from playwright.sync_api import Browser, Page
 from rest import count_pending, eventually, rest
-from set_up_proxy import proxy_of_machine
+from set_up_program import program_of_machine
 
 pytestmark = pytest.mark.browser
 
@@ -28,7 +28,7 @@ FIRST_SEEN = {"", EMBED}
 )
 def base(request: pytest.FixtureRequest, server: str, tmp_path: Path) -> Iterator[str]:
     """Where a proxy shows the server."""
-    if not proxy_of_machine(PROGRAMS[request.param]):
+    if not program_of_machine(PROGRAMS[request.param]):
         pytest.skip(f"there is no {request.param}")
     port = urllib.parse.urlsplit(server).port
     assert port

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import trustme
-from set_up_proxy import proxy_of_machine
+from set_up_program import program_of_machine
 
 from servers import free_port, is_open, wait_until
 from waiting import LIMIT_SECONDS
@@ -86,7 +86,7 @@ def behind(name: str, folder: Path, server: int) -> Iterator[str]:
 
 
 def program(name: str) -> str:
-    found = proxy_of_machine(PROGRAMS[name])
+    found = program_of_machine(PROGRAMS[name])
     assert found, f"there is no {name}"
     return found
 

@@ -10,14 +10,14 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import NamedTuple
 
-from set_up_proxy import proxy_of_machine
+from set_up_program import program_of_machine
 
 from servers import free_port, is_open, wait_until
 from waiting import LIMIT_SECONDS
 
 ROOT = Path(__file__).parents[2]
 TEMPLATE = (ROOT / "deploy" / "nginx.conf.template").read_text(encoding="utf-8")
-NGINX = proxy_of_machine("nginx")
+NGINX = program_of_machine("nginx")
 COLLISION = "/api/v1/collision?mu_over_alpha=1.4&gt_over_gn=1.358&quantities=epsilon_t&kappa="
 
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 import pytest
 from example import PROGRAMS, behind
-from set_up_proxy import proxy_of_machine
+from set_up_program import program_of_machine
 
 from servers import Serving, serving
 from waiting import LIMIT_SECONDS, eventually
@@ -26,7 +26,7 @@ def base(
     request: pytest.FixtureRequest, server: Serving, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[str]:
     """Where a proxy shows the server, one proxy after another."""
-    if not proxy_of_machine(PROGRAMS[request.param]):
+    if not program_of_machine(PROGRAMS[request.param]):
         pytest.skip(f"there is no {request.param}")
     folder = tmp_path_factory.mktemp("proxy") / request.param
     with behind(request.param, folder, server.port) as address:
