@@ -1,10 +1,10 @@
 // Drives Debian's Firefox over WebDriver BiDi, which Playwright does not speak to it; prints what it
 // saw as JSON. Arguments: the program, the address of the page.
 
-import { argv } from "node:process";
+import process from "node:process";
 import puppeteer from "puppeteer-core";
 
-const [, , executablePath, base] = argv;
+const [, , executablePath, base] = process.argv;
 const PATHS = [
   "",
   "?scene=spheres",
