@@ -30,6 +30,7 @@ from restitution.api.settings import (
 )
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
+from restitution.bounds import annotations
 from restitution.errors import RestitutionError
 from restitution.studies.accuracy.report import tradeoff_report
 from restitution.studies.accuracy.scenes import SCENES, SceneName
@@ -44,7 +45,7 @@ from restitution.studies.spheres.collision import ScalingStudy, study_scaling
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.wire.bodies import ScalingBody
-from restitution.wire.formats import Result, formed
+from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_object, read_query
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
@@ -212,8 +213,8 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: float | N
     click.echo(_written(scaling_result(study), "json") if in_full else _summary(study))
 
 
-def _written(result: Result, form: str) -> bytes:
-    return b"".join(formed(result, form)[1])
+def _written(result: Result, form: str, options: CsvOptions | None = None) -> bytes:
+    return b"".join(formed(result, form, options=options)[1])
 
 
 def _body(wall: bool, given: dict[str, float | None]) -> dict[str, Any]:
@@ -285,6 +286,15 @@ SCALE = click.Choice(get_args(Scale))
 @click.option("--sign", type=click.Choice(get_args(Sign)), help="paper by default.")
 @click.option("--format", type=click.Choice(get_args(TableFormat)), help="csv by default.")
 @click.option(
+    "--separator", type=click.Choice(get_args(Separator)), help="Of csv; comma by default."
+)
+@click.option("--decimal", type=click.Choice(get_args(Decimal)), help="Of csv; point by default.")
+@click.option(
+    "--header",
+    type=click.Choice(get_args(Header)),
+    help="What csv begins with: units is a line of units and convention before the names.",
+)
+@click.option(
     "--seconds",
     type=float,
     default=60.0,
@@ -316,7 +326,8 @@ def table(
     except RefusedParametersError as refused:
         raise click.ClickException("\n".join(sentences(refused.errors))) from refused
     if store:
-        _refuse_given(context, ("error", "format", "out", "seconds"), "--store")
+        idle = ("error", "format", "out", "seconds", *annotations(CsvOptions))
+        _refuse_given(context, idle, "--store")
         grid = TableGrid(*query.axes, query.third)
         _large_table(store, grid, query.sign, scheduler, workers)
         return
@@ -327,7 +338,7 @@ def table(
         )
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
-    out.write(_written(table_result(found), query.format))
+    out.write(_written(table_result(found), query.format, query))
     counts = " × ".join(str(count) for count in reversed(found.shape))
     click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
 

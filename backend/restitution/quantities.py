@@ -19,6 +19,7 @@ class Quantity(Meaning):
 
 
 FORCE = "m_eff ξ_scale/t_scale²"
+ENERGY = "α m_eff g_n²"
 
 QUANTITIES = {
     # what a collision is told by
@@ -39,6 +40,11 @@ QUANTITIES = {
     "method": Quantity("the one that answered", unit=""),
     "error_bound": Quantity("bound on the absolute error of ε_t"),
     "tolerance_met": Quantity("whether error_bound is within the tolerance", unit=""),
+    "largest_error": Quantity("largest error of interpolation in the table"),
+    "reversals": Quantity("sign changes of g_t during the contact"),
+    "contact_duration": Quantity("duration of the contact", "t_c", "t_scale"),
+    "energy": Quantity("tangential energy, u²/2 + κz²/2 with u = g_t/g_n", unit=ENERGY),
+    "dissipated_share": Quantity("share of the tangential energy that is lost"),
     # over time
     "time": Quantity("time since the touch", "t", "t_scale"),
     "compression": Quantity("compression", "x", "ξ_scale"),
@@ -50,7 +56,7 @@ QUANTITIES = {
     "tangential_velocity": Quantity("tangential velocity at the point of contact", "g_t", "g_n"),
     "spring_elongation": Quantity("elongation of the tangential spring", "z", "ξ_scale"),
     "regime": Quantity("0 while it sticks, the sign of z while it slides"),
-    "tangential_energy": Quantity("u²/2 + κz²/2 with u = g_t/g_n", unit="α m_eff g_n²"),
+    "tangential_energy": Quantity("u²/2 + κz²/2 with u = g_t/g_n", unit=ENERGY),
     # of real bodies
     "normal_velocity_m_s": Quantity("normal velocity at the point of contact", "g_n", "m/s"),
     "tangential_velocity_m_s": Quantity(
@@ -60,7 +66,27 @@ QUANTITIES = {
     "length_scale_m": Quantity("unit of length of the scaled collision, Eq. 21", "ξ_scale", "m"),
     "contact_duration_s": Quantity("duration of the contact", "t_c", "s"),
     "maximum_compression_m": Quantity("largest compression", "ξ_max", "m"),
+    "maximum_normal_force_n": Quantity("largest normal force", "F_max", "N"),
+    "alpha": Quantity("factor of the mass distribution, Eq. 12", "α"),
+    "beta": Quantity("strength of the contact, Eq. 18", "β", "m^{−1/2} s⁻²"),
+    "effective_mass_kg": Quantity("effective mass", "m_eff", "kg"),
+    "effective_radius_m": Quantity("effective radius", "R_eff", "m"),
+    "effective_modulus_pa": Quantity("effective modulus", "E*", "Pa"),
+    "tangential_stiffness_n_per_m": Quantity("stiffness of the tangential spring", "k_t", "N/m"),
+    "velocity_1_m_s": Quantity("velocity of body 1", "v_1", "m/s"),
+    "velocity_2_m_s": Quantity("velocity of body 2", "v_2", "m/s"),
+    "spin_1_rad_s": Quantity("angular velocity of body 1", "ω_1", "rad/s"),
+    "spin_2_rad_s": Quantity("angular velocity of body 2", "ω_2", "rad/s"),
     # of methods on many collisions
+    "tolerance": Quantity("largest absolute error of ε_t wanted"),
+    "phase": Quantity("where in a time step the contact begins"),
+    "rtol": Quantity("relative tolerance of the general solver"),
+    "floor": Quantity("ε_t where Coulomb's law would have less"),
+    "collisions": Quantity("how many collisions were measured"),
+    "unanswered": Quantity("share of them that the method refuses"),
+    "microseconds_per_collision": Quantity("time that one takes", unit="µs"),
+    "wrong_sign": Quantity("share with the wrong sign of ε_t"),
+    "wrong_switches": Quantity("share with a wrong number of switches"),
     "integrator": Quantity("how time steps are taken", unit=""),
     "steps": Quantity("time steps per contact", "N"),
     "error_median": Quantity("median of |ε_t − exact|"),
@@ -68,3 +94,9 @@ QUANTITIES = {
     "error_max": Quantity("largest |ε_t − exact|"),
     "collision": Quantity("place among the collisions, from 0"),
 }
+
+
+def unit_of(column: str) -> str:
+    """Return the unit of a column, of ``energy.initial`` that of ``energy``; "" for words."""
+    known = (QUANTITIES[part] for part in reversed(column.split(".")) if part in QUANTITIES)
+    return next((quantity.unit for quantity in known), "")

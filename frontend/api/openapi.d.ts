@@ -2005,6 +2005,12 @@ export interface operations {
                  * @example 1.358
                  */
                 gt_over_gn: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2077,6 +2083,12 @@ export interface operations {
                  * @example 1.358
                  */
                 gt_over_gn: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2146,6 +2158,12 @@ export interface operations {
                  * @example 1.4
                  */
                 mu_over_alpha: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2221,6 +2239,12 @@ export interface operations {
                  * @example 1.4
                  */
                 mu_over_alpha: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2298,6 +2322,12 @@ export interface operations {
     collisions: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2350,6 +2380,12 @@ export interface operations {
     scaling: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2413,6 +2449,12 @@ export interface operations {
     velocity_map: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2517,6 +2559,12 @@ export interface operations {
     table: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description kappa at an edge of the map: finite and > 0 */
                 kappa_min?: number;
                 /** @description kappa at an edge of the map: finite and > 0 */
@@ -2588,6 +2636,12 @@ export interface operations {
     tradeoff: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2628,6 +2682,12 @@ export interface operations {
     steps: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
@@ -2768,6 +2828,12 @@ export interface operations {
     paper: {
         parameters: {
             query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */

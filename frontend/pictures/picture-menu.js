@@ -12,6 +12,20 @@ import { codeBlock, openSheet, tableElement } from "./sheet.js";
 const GAP = 4;
 
 /**
+ * The files that hold what a picture shows, each with what a request says for it.
+ * @type {{text: string, title?: string, form: Record<string, string>}[]}
+ */
+const FILES = [
+  { text: "CSV", form: { format: "csv" } },
+  {
+    text: "CSV 0,5",
+    title: "CSV with decimal commas, semicolons between cells",
+    form: { format: "csv", separator: "semicolon", decimal: "comma" },
+  },
+  { text: "JSON", form: { format: "json" } },
+];
+
+/**
  * What a menu asks the server for: the answer to what is posted, which no link can ask, and a font.
  * @typedef {object} Load
  * @property {(request: import("../format/requests.js").Request) => Promise<Blob>} file
@@ -53,18 +67,19 @@ export function mountPictureMenu(panel, picture, present, load) {
   button.setAttribute("aria-label", `${picture.title}: data, picture, request`);
   button.popoverTargetElement = menu;
 
-  const data = ["csv", "json"].map((format) => {
+  const data = FILES.map(({ text, title = "", form }) => {
     const link = document.createElement("a");
-    link.textContent = format.toUpperCase();
+    link.textContent = text;
+    link.title = title;
     link.addEventListener("click", async (event) => {
       const request = picture.request();
       if (request.body) {
         event.preventDefault();
-        const file = await load.file({ ...request, query: { ...request.query, format } });
+        const file = await load.file({ ...request, query: { ...request.query, ...form } });
         download(URL.createObjectURL(file), link.download);
       }
     });
-    return { format, link };
+    return { form, link };
   });
   const pictures = /** @type {("png" | "svg")[]} */ (["png", "svg"]).map((format) =>
     item(format.toUpperCase(), () => save(format)),
@@ -103,9 +118,9 @@ export function mountPictureMenu(panel, picture, present, load) {
     dataGroup.hidden = !isHere;
     pictureGroup.hidden = !hasPicture || !isHere;
     table.hidden = !picture.table || !isHere;
-    for (const { format, link } of data) {
-      link.href = addressOf({ ...request, query: { ...request.query, format } });
-      link.download = fileName(fileSubject(), picture.parameters(), format);
+    for (const { form, link } of data) {
+      link.href = addressOf({ ...request, query: { ...request.query, ...form } });
+      link.download = fileName(fileSubject(), picture.parameters(), form.format);
     }
   });
   for (const [target, kind] of [

@@ -155,6 +155,7 @@ def test_repeated_form_of_a_post_is_refused(service):
         ("/map", {"mu_over_alpha": 1, "kappa_min": 0, "kappa_scale": "log"}, ["kappa_min", "> 0"]),
         ("/map", {"mu_over_alpha": 1, "gt_over_gn_min": 0, "gt_over_gn_scale": "log"},
          ["gt_over_gn_min", "log"]),
+        ("/collision", {**COLLISION, "kappa": "0,5"}, ["> 0, with a decimal point, got 0,5"]),
     ],
     ids=str,
 )  # fmt: skip

@@ -98,7 +98,7 @@ def test_a_file_of_what_was_posted_can_be_had(page: Page, tmp_path: Path):
     expect(page.get_by_test_id("impact-result")).to_contain_text("µs")
     page.get_by_test_id("menu-impact").click()
     with page.expect_download() as download:
-        page.locator("#menu-impact").get_by_text("CSV").click()
+        page.locator("#menu-impact").get_by_text("CSV", exact=True).click()
     saved = tmp_path / "impact.csv"
     download.value.save_as(saved)
     assert "kappa" in saved.read_text().splitlines()[0]

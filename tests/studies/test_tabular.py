@@ -13,7 +13,15 @@ from restitution.studies.collision.many import QUANTITIES as EVERY
 
 STEEL = rs.Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
 
-UNITS = {"_m_s": "m/s", "_s": "s", "_m": "m"}
+UNITS = {
+    "_rad_s": "rad/s",
+    "_m_s": "m/s",
+    "_n_per_m": "N/m",
+    "_kg": "kg",
+    "_pa": "Pa",
+    "_s": "s",
+    "_m": "m",
+}
 """As names end in them, the longest first."""
 
 RESULTS = {
@@ -128,7 +136,7 @@ def test_name_that_ends_in_a_unit_has_that_unit():
         for unit in [next((unit for end, unit in UNITS.items() if name.endswith(end)), None)]
         if unit
     }
-    assert len(ending) == 6
+    assert len(ending) == 14
     assert {name: QUANTITIES[name].unit for name in ending} == ending
 
 

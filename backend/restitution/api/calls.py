@@ -25,7 +25,7 @@ from restitution.api.metrics import COMPUTE, METHOD
 from restitution.api.transport import known_tag
 from restitution.bounds import values
 from restitution.mechanics.compiled import fingerprint
-from restitution.wire.formats import Result, formed
+from restitution.wire.formats import CsvOptions, Result, formed
 from restitution.wire.parsing import Parts
 from restitution.wire.queries import FormQuery
 from restitution.wire.reading import read_object, read_query
@@ -245,7 +245,8 @@ def _computed(
         METHOD.labels(method if isinstance(method, str) else "list").inc()
     headers["Server-Timing"] = f"compute;dur={1e3 * elapsed:.3f}"
     form = getattr(query, "format", "json"), getattr(query, "encoding", "plain")
-    return _in_blocks(*formed(result, *form), headers)
+    options = query if isinstance(query, CsvOptions) else None
+    return _in_blocks(*formed(result, *form, options), headers)
 
 
 def _in_blocks(kind: str, blocks: Iterator[bytes], headers: Mapping[str, str]) -> Response:

@@ -4,14 +4,17 @@ import dataclasses
 import io
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import Annotated, Any, Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 import orjson
 import pybase64
 
+from restitution.bounds import Meaning, Misfit, choice, closed
+from restitution.quantities import unit_of
 from restitution.studies.collision.one import Energy, Estimates, Sensitivity
+from restitution.studies.collision.parameters import CONVENTION
 
 ROWS = 10_000
 """Of a table that are written at a time, and numbers of an array that are sent by themselves."""
@@ -19,8 +22,35 @@ ROWS = 10_000
 PARTS = {"energy": Energy, "estimates": Estimates, "sensitivity": Sensitivity}
 """Keys whose values have keys of their own, and columns of a table even where they are null."""
 
+Separator = Literal["comma", "semicolon", "tab"]
+Decimal = Literal["point", "comma"]
+Header = Literal["names", "units"]
+MARKS = {"comma": b",", "semicolon": b";", "tab": b"\t", "point": b"."}
+
+FORMULA = tuple("=+-@\t\r\u2212\uff1d\uff0b\uff0d\uff20")
+"""What a text begins with that a spreadsheet may take for a formula, also as wide signs."""
+
 Payload = dict[str, Any]
 Table = Mapping[str, npt.NDArray[Any] | list[Any]]
+
+
+@closed
+class CsvOptions:
+    """How CSV is written; of other forms it changes nothing."""
+
+    separator: Annotated[Separator, Meaning("between the cells of csv")] = "comma"
+    decimal: Annotated[Decimal, Meaning("decimal mark of csv")] = "point"
+    header: Annotated[
+        Header, Meaning("what csv begins with; before the names, a line of units with # in front")
+    ] = "names"
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield that one mark cannot be both."""
+        separator, decimal = given.get("separator", "comma"), given.get("decimal", "point")
+        if separator == decimal:
+            others = tuple(mark for mark in get_args(Separator) if mark != decimal)
+            yield "separator", f"{choice(others)} where `decimal` is {decimal}"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -37,21 +67,27 @@ class Result:
         One array per key for NPZ, where the payload has lists of objects.
     texts : dict of str to callable
         Further forms of this answer alone: name → its text.
+    convention : str
+        Sign and point of reference of its numbers.
     """
 
     payload: Payload
     table: Callable[[], Table]
     arrays: Callable[[], Payload] | None = None
     texts: Mapping[str, Callable[[], str]] = dataclasses.field(default_factory=dict)
+    convention: str = CONVENTION
 
 
-def formed(result: Result, form: str, encoding: str = "plain") -> tuple[str, Iterator[bytes]]:
+def formed(
+    result: Result, form: str, encoding: str = "plain", options: CsvOptions | None = None
+) -> tuple[str, Iterator[bytes]]:
     """Return the media type of `result` in a form, and its bytes block by block."""
     if form in result.texts:
         return "text/plain; charset=utf-8", iter([result.texts[form]().encode()])
     match form:
         case "csv":
-            return "text/csv; charset=utf-8", csv_blocks(result.table())
+            blocks = csv_blocks(result.table(), options or CsvOptions(), result.convention)
+            return "text/csv; charset=utf-8", blocks
         case "npz":
             arrays = result.arrays() if result.arrays else result.payload
             return "application/x-npz", npz_blocks(arrays)
@@ -107,34 +143,51 @@ def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
     )
 
 
-def csv_blocks(table: Table) -> Iterator[bytes]:
+def csv_blocks(table: Table, options: CsvOptions, convention: str = CONVENTION) -> Iterator[bytes]:
     """Yield a header row and then the rows of the columns (N,), many at a time.
 
-    None and NaN are empty.
+    None and NaN are empty. No cell can be a formula: a text that begins as one gets ' in front.
     """
-    yield b",".join(name.encode() for name in table) + b"\n"
+    separator, mark = MARKS[options.separator], MARKS[options.decimal]
+    if options.header == "units":
+        units = (_quoted(text, separator) for text in (*map(unit_of, table), convention))
+        yield b"# " + separator.join(units) + b"\n"
+    yield separator.join(name.encode() for name in table) + b"\n"
     length = len(next(iter(table.values())))
     for begin in range(0, length, ROWS):
         part = slice(begin, begin + ROWS)
-        columns = [_texts(_counted(name, column[part])) for name, column in table.items()]
-        yield b"\n".join(map(b",".join, zip(*columns, strict=True))) + b"\n"
+        columns = [
+            _texts(_counted(name, column[part]), separator, mark) for name, column in table.items()
+        ]
+        yield b"\n".join(map(separator.join, zip(*columns, strict=True))) + b"\n"
 
 
-def _texts(column: npt.NDArray[Any] | list[Any]) -> list[bytes]:
+def _texts(column: npt.NDArray[Any] | list[Any], separator: bytes, mark: bytes) -> list[bytes]:
     """Return the shortest texts that read back as the same numbers."""
     if isinstance(column, np.ndarray) and column.dtype.kind != "U":
         text = orjson.dumps(np.ascontiguousarray(column), option=orjson.OPT_SERIALIZE_NUMPY)
         texts = text[1:-1].split(b",") if column.size else []
+        if mark != b".":
+            texts = [t.replace(b".", mark) for t in texts]
         return [b"" if t == b"null" else t for t in texts]
-    return [_text(value) for value in column]
+    return [
+        _quoted(value, separator) if isinstance(value, str) else _number(value, mark)
+        for value in column
+    ]
 
 
-def _text(value: object) -> bytes:
-    text = value if isinstance(value, str) else orjson.dumps(value).decode()
-    if text == "null":
-        return b""
-    quoted = '"' + text.replace('"', '""') + '"' if any(c in text for c in ',"\n') else text
-    return quoted.encode()
+def _number(value: object, mark: bytes) -> bytes:
+    text = orjson.dumps(value)
+    return b"" if text == b"null" else text.replace(b".", mark)
+
+
+def _quoted(text: str, separator: bytes) -> bytes:
+    """Return a text as a cell that is read back as it is, and by no program as a formula."""
+    if text.startswith(FORMULA):
+        text = f"'{text}"
+    if any(sign in text for sign in f'{separator.decode()}"\n\r'):
+        text = '"' + text.replace('"', '""') + '"'
+    return text.encode()
 
 
 def _fields(value: Any) -> Payload:

@@ -23,6 +23,7 @@ from restitution.studies.collision.parameters import (
     MuOverAlpha,
 )
 from restitution.studies.tables.grid import Sign
+from restitution.wire.formats import CsvOptions
 from restitution.wire.ranges import Range, as_number
 
 QUICK_ROWS = 2500
@@ -66,7 +67,7 @@ class NoQuery:
 
 
 @closed
-class FormQuery:
+class FormQuery(CsvOptions):
     """The form of an answer."""
 
     format: Literal["json", "csv", "npz"] = "json"
@@ -166,6 +167,7 @@ class CutQuery(ComputedQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
+        yield from CsvOptions.misfits(given)
         along = given.get("along")
         if along not in CUTS:
             return
@@ -234,6 +236,7 @@ class MapQuery(KappaEdge, ComputedQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the edges."""
+        yield from CsvOptions.misfits(given)
         yield from KAPPAS.misfits(given)
         yield from TANGENTIAL.misfits(given)
 
@@ -251,7 +254,7 @@ DampingEdge = Meaning("damping at an edge of the map")
 
 
 @closed
-class TableQuery(KappaEdge):
+class TableQuery(KappaEdge, CsvOptions):
     """``GET /table``; the error wanted, or else counts."""
 
     psi_min: Annotated[float, Ge(0), PsiEdge] = PSIS.default[0]
@@ -285,6 +288,7 @@ class TableQuery(KappaEdge):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
+        yield from CsvOptions.misfits(given)
         yield from KAPPAS.misfits(given)
         yield from PSIS.misfits(given)
         if DAMPINGS.maximum in given:
@@ -342,6 +346,7 @@ class StepsQuery(FormQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
+        yield from CsvOptions.misfits(given)
         names = ("kappa", "mu_over_alpha", "gt_over_gn")
         if "region" not in given:
             yield from ((name, "given, or else `region`") for name in names if name not in given)
@@ -358,7 +363,7 @@ class StepsQuery(FormQuery):
         return part(self, CollisionParameters)
 
 
-FORM = {"format", "encoding", "quantities", "episode_limit"}
+FORM = {"format", "encoding", "quantities", "episode_limit", *annotations(CsvOptions)}
 """Parameters of a query that are not the collision's."""
 
 

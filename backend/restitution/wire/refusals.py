@@ -1,6 +1,7 @@
 """Refusals of parameters: their shape and their words."""
 
 import math
+import re
 import reprlib
 from typing import Any
 
@@ -13,6 +14,9 @@ MOST_ERRORS = 100
 """Entries of a refusal; a refusal is for reading."""
 
 UNKNOWN = "left out: this call has no such parameter"
+
+
+DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(e[+-]?\d+)?", re.IGNORECASE)
 
 
 class RefusedParametersError(Exception):
@@ -45,7 +49,9 @@ def _json_text(value: object) -> str:
 
 
 def refusal(parameter: str, value: object, requirement: str) -> dict[str, Any]:
-    """Return one entry of `errors`."""
+    """Return one entry of `errors`; of a number that was meant, what is wrong with its mark."""
+    if isinstance(value, str) and DECIMAL_COMMA.fullmatch(value):
+        requirement += ", with a decimal point"
     return {
         "parameter": as_received(parameter),
         "value": as_received(value),

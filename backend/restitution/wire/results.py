@@ -3,6 +3,7 @@
 import numpy as np
 
 from restitution.export.c_header import c_header
+from restitution.export.layout import SIGNS
 from restitution.export.python_module import python_module
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy
@@ -84,4 +85,4 @@ def table_result(table: RestitutionTable) -> Result:
         **third,
     }
     texts = {"c": lambda: c_header(table), "python": lambda: python_module(table)}
-    return Result(payload, rows, texts=texts)
+    return Result(payload, rows, texts=texts, convention=f"epsilon_t = {SIGNS[table.sign]}")
