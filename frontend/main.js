@@ -71,9 +71,10 @@ const page = {
 const scenes = [mountExplorer, mountSpheres, mountAccuracy, mountPaper, mountLesson].map((mount) =>
   mount(page),
 );
+const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
 for (const { pictures } of [collision, ...scenes]) {
   for (const [name, picture] of Object.entries(pictures)) {
-    mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, client);
+    mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load);
   }
 }
 

@@ -4,8 +4,6 @@ import { addressOf, curlOf, fileName, frameOf, pythonOf, serverOf } from "../for
 import { writeAddress } from "../state/url.js";
 import { find } from "../widgets/find.js";
 import { download } from "./download.js";
-import { saveDrawing } from "./save-drawing.js";
-import { savePicture } from "./save-picture.js";
 import { codeBlock, openSheet, tableElement } from "./sheet.js";
 
 /** Pixels between a button and its menu. */
@@ -30,6 +28,7 @@ const FILES = [
  * @typedef {object} Load
  * @property {(request: import("../format/requests.js").Request) => Promise<Blob>} file
  * @property {(address: string) => Promise<Blob>} font
+ * @property {(reason: string) => void} reportLost where the server does not answer
  */
 
 /**
@@ -183,7 +182,7 @@ export function mountPictureMenu(panel, picture, present, load) {
   }
 
   /** @param {"png" | "svg"} format */
-  function save(format) {
+  async function save(format) {
     const element = drawn();
     const subject = picture.subject?.() ?? "";
     const parameters = Object.entries(picture.parameters());
@@ -194,11 +193,14 @@ export function mountPictureMenu(panel, picture, present, load) {
       fileName: fileName(fileSubject(), picture.parameters(), format),
       loadFont: load.font,
     };
-    if (element instanceof SVGSVGElement) {
-      saveDrawing(element, options);
+    const saving = await import("./save-drawing.js").catch(() => null);
+    if (!saving) {
+      load.reportLost("What saves pictures did not arrive");
+    } else if (element instanceof SVGSVGElement) {
+      saving.saveDrawing(element, options);
     } else {
       const place = element?.matches(".surface") ? null : (picture.place?.() ?? null);
-      savePicture(/** @type {HTMLElement} */ (element), { ...options, place });
+      saving.savePicture(/** @type {HTMLElement} */ (element), { ...options, place });
     }
   }
 

@@ -4,6 +4,8 @@ import { currentTheme } from "../widgets/theme.js";
 import { downloadDrawn } from "./drawn.js";
 import { TITLE_PIXELS } from "./save-picture.js";
 
+export { savePicture } from "./save-picture.js";
+
 /** What a style sheet gives a drawing; outside the page it has to carry it along. */
 const CARRIED = [
   "fill",

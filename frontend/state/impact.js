@@ -25,6 +25,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "normal_velocity_m_s",
     name: "normal velocity, m/s",
+    unit: "m/s",
     admits: positive,
     requirement: "a velocity greater than 0, in m/s",
     scale: logScale(0.01, 100),
@@ -33,6 +34,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "tangential_velocity_m_s",
     name: "tangential velocity, m/s",
+    unit: "m/s",
     admits: notNegative,
     requirement: "a velocity, 0 or greater, in m/s",
     scale: logScale(0.01, 100),
@@ -41,6 +43,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "radius_m",
     name: "radius, m",
+    unit: "m",
     admits: positive,
     requirement: "a length greater than 0, in m",
     scale: logScale(1e-5, 1),
@@ -49,6 +52,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "youngs_modulus_pa",
     name: "Young’s modulus, Pa",
+    unit: "Pa",
     admits: positive,
     requirement: "a modulus greater than 0, in Pa",
     scale: logScale(1e5, 1e12),
@@ -65,6 +69,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "tangential_stiffness_n_per_m",
     name: "tangential stiffness, N/m",
+    unit: "N/m",
     admits: positive,
     requirement: "a stiffness greater than 0, in N/m",
     scale: logScale(1e3, 1e13),
@@ -73,6 +78,7 @@ export const IMPACT_PARAMETERS = [
   {
     key: "dissipative_constant_s",
     name: "dissipative constant, s",
+    unit: "s",
     admits: notNegative,
     requirement: "a time, 0 or greater, in s",
     scale: powerScale(0, 1e-4, 0.25),

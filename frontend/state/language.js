@@ -9,6 +9,24 @@ export const LANGUAGES = [
   { id: "de", name: "Deutsch" },
 ];
 
+/** Decimal marks, by language. @type {Map<string, string>} */
+const MARKS = new Map();
+
+/**
+ * The decimal mark that stands in the fields: that of the language that a scene speaks, which only the
+ * lesson translates.
+ * @param {{scene: string, lang: string}} state
+ * @param {readonly string[]} preferred by the browser
+ */
+export function decimalMark({ scene, lang }, preferred) {
+  const language = scene === "lesson" ? chosenLanguage(lang, preferred) : LANGUAGES[0].id;
+  if (!MARKS.has(language)) {
+    const parts = new Intl.NumberFormat(language).formatToParts(0.5);
+    MARKS.set(language, parts.find(({ type }) => type === "decimal")?.value ?? ".");
+  }
+  return /** @type {string} */ (MARKS.get(language));
+}
+
 /**
  * The language to speak.
  * @param {string} wanted one of them, or `system`

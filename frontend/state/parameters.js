@@ -6,7 +6,8 @@ import { powerScale, logScale } from "./scales.js";
  * A parameter of the collision, named as the API names it.
  * @typedef {object} Parameter
  * @property {"kappa" | "mu_over_alpha" | "gt_over_gn" | "damping"} key
- * @property {string} name in words
+ * @property {string} name in words, with the unit after a comma
+ * @property {string} [unit] of its values; a field takes any of the same dimension
  * @property {number} initial
  * @property {(value: number) => boolean} admits
  * @property {string} requirement what `admits` wants, in words that follow "must be"
@@ -97,28 +98,45 @@ function rounded(value) {
   return Number(value.toPrecision(12));
 }
 
+/** So many characters of a text are quoted. */
+const LONGEST_QUOTE = 24;
+
 /**
- * The number a text stands for, or null where the parameter does not admit it.
- * @param {Pick<Parameter, "admits">} parameter
+ * What is wrong with a text, in words.
+ * @param {string} name
+ * @param {string} requirement
  * @param {string} text
- * @returns {number | null}
  */
-export function parseParameter(parameter, text) {
-  const value = parseNumber(text);
-  return value !== null && parameter.admits(value) ? value : null;
+export function misfit(name, requirement, text) {
+  return `${name} must be ${requirement}${text && `, not “${shortened(text)}”`}`;
+}
+
+/** @param {string} text */
+export function shortened(text) {
+  return text.length > LONGEST_QUOTE ? `${text.slice(0, LONGEST_QUOTE - 1)}…` : text;
 }
 
 /**
- * The finite number a text stands for, or null.
+ * The finite number that a text of an address is, with a decimal point, or null.
  * @param {string} text
  */
 export function parseNumber(text) {
-  const plain = text.trim().replace("\u2212", "-").replace(",", ".");
-  if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) {
-    return null;
-  }
-  const value = Number(plain);
+  const isPlain = /^\s*[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?\s*$/i.test(text);
+  const value = isPlain ? Number(text) : NaN;
   return Number.isFinite(value) ? value : null;
+}
+
+/**
+ * The same of what is typed, where it is plainly a number: a comma or a point that might part thousands is
+ * for `format/written.js` to look at, as is all else.
+ * @param {string} text
+ * @param {string} decimal mark of the language around the field
+ */
+export function parseTyped(text, decimal) {
+  const plain = text.trim().replace("\u2212", "-");
+  const mark = /[.,]/.exec(plain)?.[0] ?? decimal;
+  const isPlain = mark === decimal || !/^[+-]?[1-9]\d{0,2}[.,]\d{3}(\D|$)/.test(plain);
+  return isPlain ? parseNumber(plain.replace(",", ".")) : null;
 }
 
 /**

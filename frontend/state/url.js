@@ -6,7 +6,7 @@ import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
 import { LANGUAGES } from "./language.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
-import { PARAMETERS, parseNumber, parseParameter, SOLID_ALPHA } from "./parameters.js";
+import { misfit, PARAMETERS, parseNumber, SOLID_ALPHA } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
@@ -112,13 +112,7 @@ export function readAddress(search) {
   /** @type {Record<string, number>} */
   const collision = {};
   for (const parameter of PARAMETERS) {
-    const text = query.get(parameter.key);
-    const value = text === null ? null : parseParameter(parameter, text);
-    if (text !== null && value === null) {
-      problems.push(
-        `${PLAIN_SYMBOLS[parameter.key]} must be ${parameter.requirement}, not “${shortened(text)}”`,
-      );
-    }
+    const value = readNumber(query, parameter, problems);
     collision[parameter.key] = value ?? usual.collision?.[parameter.key] ?? parameter.initial;
   }
   problems.push(...inWords);
@@ -139,16 +133,38 @@ function readImpact(query, problems) {
   const inertia = query.has("inertia") ? readWord(query, "inertia", INERTIAS, problems) : null;
   const impact = { ...impactOf(query.get("material") ?? USUAL_MATERIAL), inertia };
   for (const parameter of IMPACT_PARAMETERS) {
-    const text = query.get(parameter.key);
-    const value = text === null ? null : parseParameter(parameter, text);
-    if (text !== null && value === null) {
-      problems.push(
-        `${PLAIN_SYMBOLS[parameter.key]} must be ${parameter.requirement}, not “${shortened(text)}”`,
-      );
-    }
-    impact[parameter.key] = value;
+    impact[parameter.key] = readNumber(query, parameter, problems);
   }
   return impact;
+}
+
+/**
+ * The value of a parameter, null where there is none or a wrong one.
+ * @param {URLSearchParams} query
+ * @param {Pick<import("./parameters.js").Parameter, "admits" | "requirement"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
+ * @param {string[]} problems to which that of it is added
+ */
+function readNumber(query, { key, admits, requirement }, problems) {
+  const text = query.get(key);
+  if (text === null) {
+    return null;
+  }
+  const value = parseNumber(text);
+  if (value !== null && admits(value)) {
+    return value;
+  }
+  problems.push(misread(PLAIN_SYMBOLS[key], requirement, text));
+  return null;
+}
+
+/**
+ * @param {string} name
+ * @param {string} requirement
+ * @param {string | null} text
+ */
+function misread(name, requirement, text) {
+  const mark = text?.includes(",") ? ", with a decimal point" : "";
+  return misfit(name, requirement + mark, text ?? "");
 }
 
 /**
@@ -161,7 +177,7 @@ function readAlpha(query, problems) {
   if (value !== null && value > 0 && value <= 1) {
     return value;
   }
-  problems.push(`α must be greater than 0, at most 1, not “${shortened(text ?? "")}”`);
+  problems.push(misread("α", "greater than 0, at most 1", text));
   return SOLID_ALPHA;
 }
 
@@ -176,7 +192,7 @@ function readAccuracy(query, problems, usual) {
     const value = text === null ? usual[key] : parseNumber(text);
     const isAllowed = value !== null && admits(value);
     if (!isAllowed) {
-      problems.push(`${key} must be ${requirement}, not “${shortened(text ?? "")}”`);
+      problems.push(misread(key, requirement, text));
     }
     return [key, isAllowed ? value : usual[key]];
   });
@@ -197,7 +213,7 @@ function readAccuracy(query, problems, usual) {
 function readWord(query, key, allowed, problems, usual = allowed[0]) {
   const text = query.get(key);
   if (text !== null && !allowed.includes(text)) {
-    problems.push(`${key} must be ${allowed.join(" or ")}, not “${shortened(text)}”`);
+    problems.push(misfit(key, allowed.join(" or "), text));
   }
   return text !== null && allowed.includes(text) ? text : usual;
 }
@@ -276,9 +292,4 @@ export function isAt(state, link) {
     const [wanted, found] = key in target.impact ? [target.impact, state.impact] : [target, state];
     return Reflect.get(wanted, key) === Reflect.get(found, key);
   });
-}
-
-/** @param {string} text */
-function shortened(text) {
-  return text.length > 24 ? `${text.slice(0, 23)}…` : text;
 }

@@ -2,14 +2,9 @@
 
 import { brief, typable } from "../format/number.js";
 import { PLAIN_SYMBOLS, SYMBOLS } from "../format/symbols.js";
-import { parseParameter, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
+import { SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 import { find } from "./find.js";
-
-/** After so many ms without a key, a number is taken for typed. */
-const TYPING_PAUSE = 600;
-
-/** So many characters stand in a field in the usual type. */
-const USUAL_LENGTH = 7;
+import { createNumberField } from "./number-field.js";
 
 /**
  * A slider, a number field and a reset for one parameter.
@@ -27,13 +22,9 @@ export function mountParameterControl(parent, parameter, onChange) {
   const problem = find(".parameter-problem", root);
   const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
-  let value = NaN;
-  /** Whether the value is not set, but worked out of others. */
-  let workedOut = false;
   /** What a reset goes back to. @type {number | null | undefined} */
   let usual;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let pause;
+  const number = createNumberField(field, problem, parameter, onChange);
 
   root.dataset.parameter = hook;
   find("label", root).setAttribute("for", `${hook}-field`);
@@ -57,34 +48,7 @@ export function mountParameterControl(parent, parameter, onChange) {
     });
   });
   slider.addEventListener("change", (event) => {
-    onChange(present(), { dragging: false, inputTimeStamp: event.timeStamp });
-  });
-  field.addEventListener("input", (event) => {
-    const typed = parseParameter(parameter, field.value);
-    tellProblem(typed === null);
-    clearTimeout(pause);
-    if (typed !== null) {
-      onChange(typed, { dragging: true, inputTimeStamp: event.timeStamp });
-      pause = setTimeout(settle, TYPING_PAUSE);
-    }
-  });
-  field.addEventListener("change", settle);
-  field.addEventListener("blur", () => {
-    tellProblem(false);
-    write();
-  });
-  field.addEventListener("keydown", (event) => {
-    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-    if (direction) {
-      event.preventDefault();
-      const step = sliderStep(parameter, value) + direction * (event.shiftKey ? 10 : 1);
-      onChange(valueAtStep(parameter, Math.min(SLIDER_STEPS, Math.max(0, step))), {
-        dragging: false,
-        inputTimeStamp: event.timeStamp,
-      });
-      write();
-      tellProblem(false);
-    }
+    onChange(number.present(), { dragging: false, inputTimeStamp: event.timeStamp });
   });
   reset.addEventListener("click", (event) => {
     onChange(usual ?? null, { dragging: false, inputTimeStamp: event.timeStamp });
@@ -94,37 +58,16 @@ export function mountParameterControl(parent, parameter, onChange) {
     }
   });
 
-  /** What was typed stands: it need not be left for that. */
-  function settle() {
-    clearTimeout(pause);
-    onChange(present(), { dragging: false, inputTimeStamp: performance.now() });
-  }
-
-  function present() {
-    return workedOut ? null : value;
-  }
-
-  function write() {
-    field.value = typable(value);
-    field.toggleAttribute("data-long", field.value.length > USUAL_LENGTH);
-  }
-
-  /** @param {boolean} wrong */
-  function tellProblem(wrong) {
-    field.setAttribute("aria-invalid", String(wrong));
-    problem.textContent = wrong ? `${plainSymbol} must be ${parameter.requirement}` : "";
-  }
-
   parent.append(root);
   return {
     /**
-     * @param {number} next
+     * @param {number} value
      * @param {number | null} initial what a reset goes back to; null is worked out of the others
-     * @param {boolean} [isWorkedOut] whether the present value is
+     * @param {object} [how]
+     * @param {boolean} [how.isWorkedOut] whether the value is
+     * @param {string} [how.decimal] the decimal mark of the language around
      */
-    show(next, initial, isWorkedOut = false) {
-      value = next;
-      workedOut = isWorkedOut;
+    show(value, initial, { isWorkedOut = false, decimal = "." } = {}) {
       root.toggleAttribute("data-worked-out", isWorkedOut);
       if (initial !== usual) {
         usual = initial;
@@ -138,11 +81,8 @@ export function mountParameterControl(parent, parameter, onChange) {
         `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
       );
       field.title = isWorkedOut ? "worked out from the bodies" : "";
-      reset.disabled = present() === usual;
-      if (document.activeElement !== field) {
-        write();
-        tellProblem(false);
-      }
+      number.show(value, { isWorkedOut, decimal });
+      reset.disabled = number.present() === usual;
     },
   };
 }

@@ -104,12 +104,21 @@ function loadedWith(file, loaded = new Set()) {
   return loaded;
 }
 
-test("only what the lesson needs waits until it is opened", () => {
+test("only what the lesson, numbers with units and saved pictures need waits until it is asked for", () => {
   const first = loadedWith("main.js");
-  const later = loadedWith("scenes/lesson/lesson.js");
+  const later = new Set(
+    ["scenes/lesson/lesson.js", "format/written.js", "pictures/save-drawing.js"].flatMap((file) => [
+      ...loadedWith(file),
+    ]),
+  );
   assert.deepEqual(
     files.filter((file) => !first.has(file) && !later.has(file)),
     [],
   );
-  assert.ok(later.has("state/translation.js") && !first.has("state/translation.js"));
+  assert.deepEqual(
+    ["state/translation.js", "format/units.js", "pictures/save-picture.js"].filter((file) =>
+      first.has(file),
+    ),
+    [],
+  );
 });

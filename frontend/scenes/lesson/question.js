@@ -227,7 +227,11 @@ function inDigits(value, language) {
   if (value === null) {
     return ABSENT;
   }
-  const digits = new Intl.NumberFormat(language, { maximumSignificantDigits: 4 });
+  const digits = new Intl.NumberFormat(language, {
+    maximumSignificantDigits: 4,
+    // 37.200 on its own might be 37.2.
+    useGrouping: false,
+  });
   return digits.format(Math.abs(value) < ROUNDED_AWAY ? 0 : value).replace("-", "\u2212");
 }
 

@@ -56,7 +56,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
       usualInertia = material.body_1.inertia;
       const values = valuesOf(material, impact);
       for (const { key, show } of controls) {
-        show(values[key] ?? rounded(stiffness), usual[key], values[key] === null);
+        show(values[key] ?? rounded(stiffness), usual[key], { isWorkedOut: values[key] === null });
       }
       const spread = find(`[value="${impact.inertia ?? usualInertia}"]`, inertia);
       /** @type {HTMLInputElement} */ (spread).checked = true;

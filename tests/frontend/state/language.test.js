@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { readdirSync } from "node:fs";
 import { test } from "node:test";
 
-import { chosenLanguage, LANGUAGES } from "../../../frontend/state/language.js";
+import { chosenLanguage, decimalMark, LANGUAGES } from "../../../frontend/state/language.js";
 
 const LOCALES = new URL("../../../frontend/locales/", import.meta.url);
 
@@ -12,6 +12,13 @@ test("the language asked for is spoken, else the first of the browser's that is 
   assert.equal(chosenLanguage("system", ["fr-FR", "DE", "en"]), "de");
   assert.equal(chosenLanguage("system", ["fr", "ja"]), "en");
   assert.equal(chosenLanguage("system", []), "en");
+});
+
+test("the decimal mark of fields is that of the language that the scene speaks", () => {
+  assert.equal(decimalMark({ scene: "lesson", lang: "de" }, []), ",");
+  assert.equal(decimalMark({ scene: "lesson", lang: "system" }, ["de-CH"]), ",");
+  assert.equal(decimalMark({ scene: "lesson", lang: "en" }, ["de"]), ".");
+  assert.equal(decimalMark({ scene: "explorer", lang: "de" }, ["de"]), ".");
 });
 
 test("every language has a file, and every file a language", () => {

@@ -4,7 +4,8 @@ import { test } from "node:test";
 import {
   collisionOfImpact,
   PARAMETERS,
-  parseParameter,
+  parseNumber,
+  parseTyped,
   SOLID_ALPHA,
   SLIDER_STEPS,
   sliderStep,
@@ -13,7 +14,7 @@ import {
 import { logScale, powerScale } from "../../../frontend/state/scales.js";
 import { spreadNumbers } from "../random.js";
 
-const [kappa, muOverAlpha, gtOverGn] = PARAMETERS;
+const [kappa] = PARAMETERS;
 
 test("scales lead from a value to its share and back", () => {
   for (const scale of [logScale(0.1, 1000), powerScale(0, 4, 1), powerScale(0, 4, 0.5)]) {
@@ -70,19 +71,35 @@ test("sliderStep puts a value beyond the slider at its end", () => {
   assert.equal(sliderStep(kappa, 5e-324), 0);
 });
 
-test("parseParameter reads what people type", () => {
-  const typed = ["63", " 1e3 ", "+.5", "0,5", "5e-324"];
+const NO_NUMBERS = ["", "abc", "NaN", "Infinity", "1e999", "0x10", "1 2", "1_0", "--1", "<b>1</b>"];
+
+test("parseNumber reads numbers with a decimal point and nothing else", () => {
   assert.deepEqual(
-    typed.map((text) => parseParameter(kappa, text)),
-    [63, 1000, 0.5, 0.5, 5e-324],
+    ["63", "1e3", "+.5", "-5.", "5e-324"].map(parseNumber),
+    [63, 1000, 0.5, -5, 5e-324],
   );
+  for (const text of [...NO_NUMBERS, "0,5", "1,000", "\u22121"]) {
+    assert.equal(parseNumber(text), null, text);
+  }
 });
 
-test("parseParameter refuses what is no number or out of bounds", () => {
-  const wrong = ["", "abc", "NaN", "Infinity", "1e999", "0x10", "1 2", "1_0", "--1", "<b>1</b>"];
-  for (const text of [...wrong, "0", "-1", "\u22121"]) {
-    assert.equal(parseParameter(kappa, text), null, text);
+test("parseTyped reads what is plainly a number, and leaves alone what may part thousands", () => {
+  const typed = ["63", " 1e3 ", "+.5", "0,5", "\u22125", "1.000", "0,500", "1,5e3", "1234,567"];
+  assert.deepEqual(
+    typed.map((text) => parseTyped(text, ".")),
+    [63, 1000, 0.5, 0.5, -5, 1, 0.5, 1500, 1234.567],
+  );
+  for (const text of [...NO_NUMBERS, "1,000", "-63,000", "1,000e3", "1,000.5"]) {
+    assert.equal(parseTyped(text, "."), null, text);
   }
-  assert.equal(parseParameter(muOverAlpha, "0"), 0);
-  assert.equal(parseParameter(gtOverGn, "-0.1"), null);
+});
+
+test("parseTyped has the marks the other way round where the comma is the decimal mark", () => {
+  assert.deepEqual(
+    ["0,5", "1,358", "1.35", "0.500"].map((text) => parseTyped(text, ",")),
+    [0.5, 1.358, 1.35, 0.5],
+  );
+  for (const text of ["1.000", "63.000e3"]) {
+    assert.equal(parseTyped(text, ","), null, text);
+  }
 });

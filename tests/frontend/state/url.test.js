@@ -33,6 +33,20 @@ const USUAL = {
   impact: impactOf("steel"),
 };
 
+test("an address takes decimal points only, and says so", () => {
+  const { state, problems } = readAddress(
+    "?kappa=0,5&mu_over_alpha=1,000&alpha=0,4&tolerance=1,5&scene=spheres&radius_m=0,02",
+  );
+  assert.deepEqual(state, { ...USUAL, scene: "spheres" });
+  assert.deepEqual(problems, [
+    "κ must be a number greater than 0, with a decimal point, not “0,5”",
+    "μ/α must be a number, 0 or greater, with a decimal point, not “1,000”",
+    "tolerance must be from 1e-13 to 1, with a decimal point, not “1,5”",
+    "R must be a length greater than 0, in m, with a decimal point, not “0,02”",
+    "α must be greater than 0, at most 1, with a decimal point, not “0,4”",
+  ]);
+});
+
 test("readAddress gives back exactly the state that writeAddress wrote", () => {
   const numbers = spreadNumbers(5, 300, 1e-300, 1e300);
   for (let i = 0; i < numbers.length; i += 3) {

@@ -1,0 +1,211 @@
+// @ts-check
+
+import { typable } from "../format/number.js";
+import { PLAIN_SYMBOLS } from "../format/symbols.js";
+import {
+  misfit,
+  parseTyped,
+  shortened,
+  SLIDER_STEPS,
+  sliderStep,
+  valueAtStep,
+} from "../state/parameters.js";
+
+/** After so many ms without a key, a number is taken for typed. */
+const TYPING_PAUSE = 600;
+
+/** So many characters stand in a field in the usual type. */
+const USUAL_LENGTH = 7;
+
+/**
+ * A field that takes a number as people write it. What is plainly one counts while it is typed; all else,
+ * with units, powers and marks between thousands, is read when typing pauses. What might be two numbers is
+ * asked about, and until that is answered, what was before holds.
+ * @param {HTMLInputElement} field
+ * @param {HTMLElement} problem where it is said what is wrong
+ * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
+ * @param {(value: number | null, change: import("../state/store.js").Change) => void} onChange told null for what is worked out of the others
+ */
+export function createNumberField(field, problem, parameter, onChange) {
+  const { admits, requirement, name, unit } = parameter;
+  const symbol = PLAIN_SYMBOLS[parameter.key];
+  const unmet = misfit(symbol, requirement, "");
+  const subject = unit ? `the ${name.split(",")[0]}` : symbol;
+  let value = NaN;
+  let isWorkedOut = false;
+  let decimal = ".";
+  /** What was before anything was typed. @type {number | null} */
+  let before = null;
+  /** The text that is being read or asked about: it is left as it stands. @type {string | null} */
+  let open = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let pause;
+
+  field.addEventListener("focus", () => {
+    before = open === null ? present() : before;
+  });
+  field.addEventListener("input", (event) => {
+    const typed = parseTyped(field.value, decimal);
+    const isAllowed = typed !== null && admits(typed);
+    open = null;
+    tell(typed === null || isAllowed ? "" : unmet);
+    if (isAllowed) {
+      onChange(typed, { dragging: true, inputTimeStamp: event.timeStamp });
+    }
+    clearTimeout(pause);
+    pause = setTimeout(settle, TYPING_PAUSE);
+  });
+  field.addEventListener("change", () => settle({ isDone: true }));
+  field.addEventListener("blur", () => {
+    if (open === null) {
+      restore();
+    }
+  });
+  field.addEventListener("keydown", (event) => {
+    const direction = { ArrowUp: 1, ArrowDown: -1 }[event.key];
+    if (direction) {
+      event.preventDefault();
+      const step = sliderStep(parameter, value) + direction * (event.shiftKey ? 10 : 1);
+      onChange(valueAtStep(parameter, Math.min(SLIDER_STEPS, Math.max(0, step))), {
+        dragging: false,
+        inputTimeStamp: event.timeStamp,
+      });
+      restore();
+    }
+  });
+  for (const element of [field, problem]) {
+    element.addEventListener("keydown", (event) => {
+      if (event.key === "Escape" && open !== null) {
+        restore();
+        field.focus();
+      }
+    });
+  }
+
+  /** What was typed stands: it need not be left for that. */
+  async function settle({ isDone = false } = {}) {
+    clearTimeout(pause);
+    const text = field.value;
+    if (text === open) {
+      return;
+    }
+    if (text === written() || parseTyped(text, decimal) !== null) {
+      change(present());
+      return;
+    }
+    open = text;
+    const reading = await import("../format/written.js")
+      .then(({ readWritten }) => readWritten(text, { subject, unit, decimal }))
+      .catch(() => ({ refusal: "" }));
+    // Typed on, or set by other means.
+    if (open !== text) {
+      return;
+    }
+    if ("readings" in reading) {
+      ask(text, reading.readings);
+    } else {
+      take(reading, text);
+      if (isDone || document.activeElement !== field) {
+        write();
+      }
+    }
+  }
+
+  /**
+   * @param {{value: number} | {refusal: string}} reading
+   * @param {string} text that was read
+   */
+  function take(reading, text) {
+    open = null;
+    if ("refusal" in reading) {
+      tell(reading.refusal || misfit(symbol, requirement, text));
+    } else if (admits(reading.value)) {
+      tell("");
+      change(reading.value);
+    } else {
+      tell(unmet);
+    }
+  }
+
+  /**
+   * @param {string} text
+   * @param {{text: string, value: number}[]} readings
+   */
+  function ask(text, readings) {
+    if (present() !== before) {
+      change(before);
+    }
+    tell("");
+    open = text;
+    field.value = text;
+    problem.dataset.asks = "";
+    problem.append(
+      `${shortened(text)}: which is meant?`,
+      ...readings.map((reading) => {
+        const button = document.createElement("button");
+        button.type = "button";
+        button.className = "chip";
+        button.textContent = reading.text;
+        button.addEventListener("click", (event) => {
+          take(reading, text);
+          write();
+          // A finger wants no keyboard on the screen.
+          if (event.detail === 0) {
+            field.focus();
+          }
+        });
+        return button;
+      }),
+    );
+  }
+
+  /** @param {number | null} next */
+  function change(next) {
+    onChange(next, { dragging: false, inputTimeStamp: performance.now() });
+  }
+
+  function present() {
+    return isWorkedOut ? null : value;
+  }
+
+  function written() {
+    return typable(value).replace(".", decimal);
+  }
+
+  function write() {
+    field.value = written();
+    field.toggleAttribute("data-long", field.value.length > USUAL_LENGTH);
+  }
+
+  function restore() {
+    open = null;
+    tell("");
+    write();
+  }
+
+  /** @param {string} words */
+  function tell(words) {
+    field.setAttribute("aria-invalid", String(words !== ""));
+    problem.textContent = words;
+    delete problem.dataset.asks;
+  }
+
+  return {
+    present,
+
+    /**
+     * @param {number} next
+     * @param {{isWorkedOut: boolean, decimal: string}} how
+     */
+    show(next, how) {
+      if (next !== value || how.isWorkedOut !== isWorkedOut) {
+        open = null;
+      }
+      value = next;
+      ({ isWorkedOut, decimal } = how);
+      if (open === null && document.activeElement !== field) {
+        restore();
+      }
+    },
+  };
+}
