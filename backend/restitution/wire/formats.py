@@ -2,6 +2,7 @@
 
 import dataclasses
 import io
+import unicodedata
 import zipfile
 from collections.abc import Callable, Iterator, Mapping
 from typing import Annotated, Any, Literal, get_args
@@ -27,8 +28,8 @@ Decimal = Literal["point", "comma"]
 Header = Literal["names", "units"]
 MARKS = {"comma": b",", "semicolon": b";", "tab": b"\t", "point": b"."}
 
-FORMULA = tuple("=+-@\t\r\u2212\uff1d\uff0b\uff0d\uff20")
-"""What a text begins with that a spreadsheet may take for a formula, also as wide signs."""
+FORMULA = "=+-@\t\r\u2212"
+"""What a text begins with that a spreadsheet may take for a formula."""
 
 Payload = dict[str, Any]
 Table = Mapping[str, npt.NDArray[Any] | list[Any]]
@@ -183,7 +184,8 @@ def _number(value: object, mark: bytes) -> bytes:
 
 def _quoted(text: str, separator: bytes) -> bytes:
     """Return a text as a cell that is read back as it is, and by no program as a formula."""
-    if text.startswith(FORMULA):
+    # wide signs are taken as narrow ones
+    if text and unicodedata.normalize("NFKC", text[0]) in FORMULA:
         text = f"'{text}"
     if any(sign in text for sign in f'{separator.decode()}"\n\r'):
         text = '"' + text.replace('"', '""') + '"'
