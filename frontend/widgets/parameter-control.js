@@ -80,7 +80,8 @@ export function mountParameterControl(parent, parameter, onChange) {
         "aria-valuetext",
         `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
       );
-      field.title = isWorkedOut ? "worked out from the bodies" : "";
+      const inUnits = parameter.unit ? `in ${parameter.unit}; other units are converted` : "";
+      field.title = isWorkedOut ? "worked out from the bodies" : inUnits;
       number.show(value, { isWorkedOut, decimal });
       reset.disabled = number.present() === usual;
     },

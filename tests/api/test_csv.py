@@ -3,6 +3,8 @@
 import csv
 import io
 import re
+import shlex
+import subprocess
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +15,7 @@ from document import ALWAYS_ON, OPERATIONS, body_of, parameters_of, query_of
 from restitution.cli import main
 from restitution.wire.formats import CsvOptions, csv_blocks
 
+DOCUMENT = Path(__file__).parents[2].joinpath("docs", "csv.md").read_text()
 WITH_CSV = [
     name
     for name in ALWAYS_ON
@@ -174,8 +177,17 @@ def test_the_command_refuses_in_words(arguments, words):
 
 
 def test_examples_for_pandas_run_as_they_stand(server):
-    text = Path(__file__).parents[2].joinpath("docs", "csv.md").read_text()
-    (example,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    (example,) = re.findall(r"```python\n(.*?)```", DOCUMENT, re.DOTALL)
     names: dict = {}
     exec(example.replace("http://127.0.0.1:8000", server), names)  # noqa: S102 - the example is ours
     assert len(names["plain"]) == 408
+
+
+def test_commands_of_the_document_run_as_they_stand(server, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    curl, table = re.findall(r"^    (curl .*|restitution .*)$", DOCUMENT, re.MULTILINE)
+    words = shlex.split(curl.replace("http://127.0.0.1:8000", server))
+    answer = subprocess.run([*words, "--silent", "--fail"], capture_output=True, check=True)
+    assert answer.stdout.decode().startswith("# t_scale;ξ_scale;")
+    assert CliRunner().invoke(main, shlex.split(table)[1:]).exit_code == 0
+    assert (tmp_path / "table.csv").read_text().startswith("# 1;1;1;1;epsilon_t = ")

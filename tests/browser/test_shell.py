@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from explorer import ask, collision_of, settle, text, visit
-from playwright.sync_api import Page
+from playwright.sync_api import Page, expect
 from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, layout_shift, rest
 
 from cases import every_day
@@ -161,3 +161,16 @@ def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
     rest(page)
     assert layout_shift(page) < LARGEST_LAYOUT_SHIFT
     assert page.evaluate("() => document.documentElement.scrollWidth") <= width
+
+
+def test_a_picture_that_cannot_be_saved_now_is_said_and_can_be_later(page: Page, server: str):
+    page.route("**/save-drawing.js", lambda route: route.abort())
+    page.goto("/?kappa=20")
+    settle(page, server)
+    rest(page)
+    choose(page, "contact", "SVG")
+    expect(page.get_by_test_id("banner")).to_contain_text("What saves pictures did not arrive")
+    page.unroute_all()
+    expect(page.get_by_test_id("banner")).to_be_empty()
+    with page.expect_download():
+        choose(page, "contact", "SVG")

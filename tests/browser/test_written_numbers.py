@@ -186,3 +186,20 @@ def test_what_is_asked_and_refused_keeps_apart_and_is_accessible(used_tab: Page,
     assert used_tab.evaluate(FAULTS) == []
     assert objections(used_tab) == []
     assert used_tab.evaluate("() => document.documentElement.scrollWidth") <= width
+
+
+def test_without_what_reads_units_plain_numbers_count_and_the_rest_is_refused(
+    page: Page, server: str
+):
+    page.route("**/written.js", lambda route: route.abort())
+    page.goto("/?kappa=20")
+    settle(page, server)
+    field = page.get_by_test_id("kappa-field")
+    field.fill("2/7")
+    field.press("Enter")
+    expect(page.get_by_test_id("kappa-problem")).to_have_text(
+        "κ must be a number greater than 0, not “2/7”"
+    )
+    field.fill("0,5")
+    settle(page, server)
+    assert collision_of(page)["kappa"] == 0.5
