@@ -209,12 +209,11 @@ def _rules(of: Any) -> list[_Rule]:
         parts = members(annotation)
         kinds = [plain(part) for part in parts]
         words = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
-        if NoneType in get_args(plain(annotation)):
-            words.append(None)
         number = next((kind for kind in kinds if kind in (float, int)), None)
         classes: tuple[Any, ...] = tuple(filter(is_dataclass, kinds))
         is_vector = get_origin(kinds[0]) is tuple
         if words or number or classes or is_vector:
+            words += [None] if NoneType in get_args(plain(annotation)) else []
             bounds = interval(parts[0])
             rules.append(_Rule(name, annotation, number, *bounds, tuple(words), classes, is_vector))
     return rules

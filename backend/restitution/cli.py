@@ -280,6 +280,7 @@ SCALE = click.Choice(get_args(Scale))
     metavar="MIN MAX",
     help="η as a third axis, or the same number twice for all entries; 0 0 by default.",
 )
+@click.option("--normal-restitution", help="ε_n of all entries, in place of --damping.")
 @click.option("--damping-count", help=COUNT)
 @click.option("--damping-scale", type=SCALE, help="linear by default.")
 @click.option("--error", help="Largest error of interpolation wanted.")

@@ -28,6 +28,9 @@ QUANTITIES = {
     "gt_over_gn": Quantity("g_t/g_n", "g_t/g_n"),
     "psi": Quantity("(α/μ)(g_t/g_n)", "ψ"),
     "damping": Quantity("η = (3/2) A β^{2/5} g_n^{1/5}", "η"),
+    "normal_restitution": Quantity(
+        "coefficient of normal restitution, in place of the damping that has it", "ε_n"
+    ),
     # what comes out
     "epsilon_t": Quantity("coefficient of tangential restitution", "ε_t"),
     "epsilon_n": Quantity("coefficient of normal restitution", "ε_n"),

@@ -482,6 +482,11 @@ export interface components {
             epsilon_n?: number[] | components["schemas"]["TypedArray"];
             /** Switches */
             switches?: (number | null)[] | components["schemas"]["TypedArray"];
+            /**
+             * Damping
+             * @description as found, where normal_restitution was given
+             */
+            damping?: number[] | components["schemas"]["TypedArray"];
             /** Method */
             method: components["schemas"]["AnsweringMethod"][];
             /** Error Bound */
@@ -526,6 +531,16 @@ export interface components {
              * @description by all of them
              */
             tolerance_met: boolean;
+            /**
+             * Damping
+             * @description η = (3/2) A β^{2/5} g_n^{1/5}
+             */
+            damping?: number;
+            /**
+             * Epsilon N
+             * @description coefficient of normal restitution
+             */
+            epsilon_n?: number;
             /**
              * Along
              * @enum {string}
@@ -678,6 +693,16 @@ export interface components {
             largest_switches?: (number | null)[][] | components["schemas"]["TypedArray"];
             /** Error */
             error?: (number | null)[][] | components["schemas"]["TypedArray"];
+            /**
+             * Damping
+             * @description η = (3/2) A β^{2/5} g_n^{1/5}
+             */
+            damping?: number;
+            /**
+             * Epsilon N
+             * @description coefficient of normal restitution
+             */
+            epsilon_n?: number;
             /** Kappa */
             kappa: number[] | components["schemas"]["TypedArray"];
             /** Gt Over Gn */
@@ -1629,6 +1654,11 @@ export interface components {
             mu_over_alpha: number | number[] | components["schemas"]["NumbersInBase64"];
             /** Gt Over Gn */
             gt_over_gn: number | number[] | components["schemas"]["NumbersInBase64"];
+            /**
+             * Normal Restitution
+             * @default null
+             */
+            normal_restitution?: number | number[] | components["schemas"]["NumbersInBase64"];
             /** Quantities */
             quantities?: ("epsilon_t" | "epsilon_n" | "switches")[];
         };
@@ -2031,6 +2061,8 @@ export interface operations {
                 rtol?: number;
                 /** @description ε₀ of `pragmatic`: from -1 to 1 */
                 floor?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description a comma-separated choice of epsilon_t, epsilon_n, switches, reversals, episodes, energy, estimates, sensitivity, summary */
                 quantities?: string;
                 /** @description an integer from 0 to 10,000 */
@@ -2109,6 +2141,8 @@ export interface operations {
                 rtol?: number;
                 /** @description ε₀ of `pragmatic`: from -1 to 1 */
                 floor?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description a comma-separated choice of time, compression, compression_rate, normal_force, tangential_force_over_mu, tangential_velocity, spring_elongation, regime, tangential_energy */
                 quantities?: string;
                 /** @description an integer from 0 to 10,000 */
@@ -2184,6 +2218,8 @@ export interface operations {
                 rtol?: number;
                 /** @description ε₀ of `pragmatic`: from -1 to 1 */
                 floor?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description a comma-separated choice of epsilon_t, switches, coulomb, stiff_bound, stiff_asymptote, largest_switches, error */
                 quantities?: string;
                 /**
@@ -2265,6 +2301,8 @@ export interface operations {
                 rtol?: number;
                 /** @description ε₀ of `pragmatic`: from -1 to 1 */
                 floor?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description a comma-separated choice of epsilon_t, switches, coulomb, stiff_bound, stiff_asymptote, largest_switches, error */
                 quantities?: string;
                 /** @description kappa at an edge of the map: finite and > 0 */
@@ -2576,6 +2614,10 @@ export interface operations {
                 kappa_count?: number;
                 /** @description linear or log */
                 kappa_scale?: "linear" | "log";
+                /** @description η = (3/2) A β^{2/5} g_n^{1/5}: from 0 to 1e+30 */
+                damping?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description psi at an edge of the map: finite and ≥ 0 */
                 psi_min?: number;
                 /** @description psi at an edge of the map: finite and > 0 */
@@ -2587,8 +2629,6 @@ export interface operations {
                 psi_count?: number;
                 /** @description linear or log */
                 psi_scale?: "linear" | "log";
-                /** @description η = (3/2) A β^{2/5} g_n^{1/5}: from 0 to 1e+30 */
-                damping?: number;
                 /** @description damping at an edge of the map: from 0 to 1e+30 */
                 damping_min?: number;
                 /** @description damping at an edge of the map: > 0 and ≤ 1e+30 */
@@ -2692,6 +2732,10 @@ export interface operations {
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
                 encoding?: "plain" | "base64";
+                /** @description η = (3/2) A β^{2/5} g_n^{1/5}: from 0 to 1e+30 */
+                damping?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
                 /** @description largest error wanted: from 1e-12 to 1 */
                 error?: number;
                 /** @description one of figure4, stiff, solids, damped, extremes */
@@ -2711,8 +2755,6 @@ export interface operations {
                  * @example 1.358
                  */
                 gt_over_gn?: number;
-                /** @description η = (3/2) A β^{2/5} g_n^{1/5}: from 0 to 1e+30 */
-                damping?: number;
             };
             header?: {
                 /** @description ETags of answers at hand, with commas between them, or `*` */

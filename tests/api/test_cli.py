@@ -94,6 +94,17 @@ def test_table_is_that_of_the_service(service):
     assert "5 × 4 entries, error at most" in done.stderr
 
 
+def test_table_takes_a_normal_restitution(service):
+    small = {"kappa_count": "3", "psi_count": "2", "normal_restitution": "0.9"}
+    words = [
+        word for name, value in small.items() for word in (f"--{name.replace('_', '-')}", value)
+    ]
+    assert (
+        run("table", *words, "--format", "c").stdout
+        == service.get("/table", **small, format="c").text
+    )
+
+
 def test_table_goes_to_a_file(tmp_path):
     file = tmp_path / "table.csv"
     run("table", "--kappa", "3", "6", "--psi", "0.1", "2", "--error", "0.05", "--out", str(file))
@@ -109,6 +120,7 @@ def test_table_goes_to_a_file(tmp_path):
         (["--psi", "0", "1", "--psi-scale", "log"], "psi_min must be > 0"),
         (["--error", "1e-9", "--seconds", "0.2"], "s of one core"),
         (["--error", "0"], "error"),
+        (["--damping", "0", "1", "--normal-restitution", "0.9"], "as damping_max is given"),
         (["--kappa", "nan", "3"], "kappa"),
         (["--seconds", "nan"], "must be finite and > 0, got nan"),
         (["--seconds", "0"], "must be finite and > 0, got 0"),

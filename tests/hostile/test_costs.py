@@ -44,7 +44,10 @@ def options(random: Random) -> Drawn:
         "phase": random.random(),
         "rtol": by_decades(random, 1e-13, 1e-3),
     }
-    return {name: chosen for name, chosen in every.items() if random.random() < 0.4}
+    found = {name: chosen for name, chosen in every.items() if random.random() < 0.4}
+    if "damping" not in found and random.random() < 0.3:
+        found["normal_restitution"] = random.choice([random.random(), by_decades(random, 1e-50, 1)])
+    return found
 
 
 def axis(random: Random, name: str, most: int) -> Drawn:
@@ -112,7 +115,12 @@ def listed(random: Random) -> Drawn:
     }
     if random.random() < 0.3:
         found["damping"] = [by_decades(random, 1e-300, 10.0) for _ in range(size)]
-    return options(random) | found
+    elif random.random() < 0.3:
+        found["normal_restitution"] = [random.random() for _ in range(size)]
+    way = options(random)
+    if found.keys() & {"damping", "normal_restitution"}:
+        way = {name: v for name, v in way.items() if name not in ("damping", "normal_restitution")}
+    return way | found
 
 
 def bodies(random: Random) -> Drawn:
@@ -201,5 +209,5 @@ def test_costs_of_many_more_requests_are_known_before_the_work(service, path, se
 def test_every_option_is_drawn():
     random = Random(0)
     drawn = {name for _ in range(100) for name in options(random)}
-    assert drawn <= set(Options.__dataclass_fields__)
-    assert drawn >= {"method", "damping", "tolerance", "steps", "phase"}
+    assert drawn <= {*Options.__dataclass_fields__, "normal_restitution"}
+    assert drawn >= {"method", "damping", "normal_restitution", "tolerance", "steps", "phase"}

@@ -8,7 +8,7 @@ from typing_extensions import TypeAliasType
 
 from restitution.bounds import Meaning, closed
 from restitution.errors import ParameterError
-from restitution.mechanics.contact import MOST_DAMPING
+from restitution.mechanics.contact import LEAST_RESTITUTION, MOST_DAMPING
 from restitution.quantities import QUANTITIES
 
 # with a name of its own in documents: generators of clients make a class of it
@@ -18,6 +18,7 @@ OneMethod = Literal["exact", "coulomb", "pragmatic", "stiff", "table", "timestep
 Method = TypeAliasType("Method", Literal["auto", OneMethod])
 Integrator = Literal["velocity_verlet", "symplectic_euler", "forward_euler"]
 Damping = Annotated[float, Ge(0), Le(MOST_DAMPING), QUANTITIES["damping"]]
+NormalRestitution = Annotated[float, Ge(LEAST_RESTITUTION), Le(1), QUANTITIES["normal_restitution"]]
 
 Tolerance = Annotated[float, Ge(1e-13), Le(1), Meaning("largest absolute error wanted in ε_t")]
 
@@ -73,8 +74,15 @@ class Options:
         return theirs
 
 
-def refuse_damping(options: Options, reason: str) -> None:
-    """Raise `ParameterError` if a method that is made for η = 0 is asked for another one."""
+UNDAMPED = {
+    "stiff": "the stiff limit is proven without damping only",
+    "table": "the table holds collisions without damping",
+}
+"""Methods that are made for η = 0, and why."""
+
+
+def refuse_damping(options: Options, method: str) -> None:
+    """Raise `ParameterError` if one of `UNDAMPED` is asked for another η."""
     if options.damping > 0.0:
-        requirement = f"another one for damping = {options.damping:g}: {reason}"
+        requirement = f"another one for damping = {options.damping:g}: {UNDAMPED[method]}"
         raise ParameterError("method", options.method, requirement)

@@ -135,14 +135,15 @@ def switches_to_follow(kappa: float, psi: float) -> float:
     return switches if switches <= MOST_SWITCHES else 0.0
 
 
-def is_quick(switches: float, options: Options) -> bool:
+def is_quick(switches: float, options: Options, *, damped: bool) -> bool:
     """Return whether one collision is answered within two milliseconds of one core.
 
+    `damped` says whether η > 0, which may not be known yet, as it takes work to find it by ε_n.
     The table may have to be built first, and the general solver takes longer at its best.
     """
     if options.method in {"table", "ode"}:
         return False
     steps = options.steps if options.method == "timestep" else 0
-    dearer = exact.DEARER_BY_DAMPING if options.damping else 1.0
+    dearer = exact.DEARER_BY_DAMPING if damped else 1.0
     following = exact.SECONDS_FOR_A_SWITCH * dearer * switches
     return following + SECONDS_FOR_A_STEP * steps < QUICK_SECONDS

@@ -10,6 +10,7 @@ from restitution.errors import ParameterError
 from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.cut import CutStudy, study_cut
+from restitution.studies.collision.dampings import damping_told, dampings_told
 from restitution.studies.collision.grid import GridStudy, study_grid
 from restitution.studies.collision.many import LISTED, BatchStudy, study_batch
 from restitution.studies.collision.one import QUANTITIES, CollisionStudy, study_collision
@@ -22,6 +23,8 @@ def epsilon_t(
     mu_over_alpha: npt.ArrayLike,
     gt_over_gn: npt.ArrayLike,
     damping: npt.ArrayLike = 0.0,
+    *,
+    normal_restitution: npt.ArrayLike | None = None,
 ) -> npt.NDArray[np.float64]:
     """Return the exact coefficient of tangential restitution ε_t, a pure number.
 
@@ -31,6 +34,8 @@ def epsilon_t(
         κ > 0 of Eq. 24, μ/α ≥ 0, and g_t/g_n ≥ 0 before the collision; broadcast together.
     damping : array_like, optional
         η = (3/2) A β^{2/5} g_n^{1/5} ≥ 0; broadcast as well.
+    normal_restitution : array_like, optional
+        ε_n in its place, 0 < ε_n ≤ 1.
 
     Returns
     -------
@@ -55,7 +60,8 @@ def epsilon_t(
     >>> epsilon_t(18.0, 1.4, [2.8, 5.6, 11.2])
     array([0.  , 0.5 , 0.75])
     """
-    given = np.broadcast_arrays(kappa, mu_over_alpha, gt_over_gn, damping)
+    dampings = dampings_told(damping, normal_restitution)
+    given = np.broadcast_arrays(kappa, mu_over_alpha, gt_over_gn, dampings)
     found = collisions(
         *(values.ravel() for values in given), quantities=("epsilon_t",), method="exact"
     )
@@ -68,6 +74,7 @@ def collision(
     gt_over_gn: float,
     damping: float = 0.0,
     *,
+    normal_restitution: float | None = None,
     quantities: Collection[str] = QUANTITIES,
     episode_limit: int = 200,
     **options: Any,
@@ -80,6 +87,8 @@ def collision(
     ----------
     kappa, mu_over_alpha, gt_over_gn, damping : float
         κ > 0 of Eq. 24, μ/α ≥ 0, g_t/g_n ≥ 0 before, and η ≥ 0.
+    normal_restitution : float, optional
+        ε_n in place of η, 0 < ε_n ≤ 1.
     quantities : collection of str, optional
         Of epsilon_t, epsilon_n, switches, reversals, episodes, energy, estimates, sensitivity,
         summary; the others are None.
@@ -106,7 +115,8 @@ def collision(
     >>> round(bounce.epsilon_t, 6), [episode.regime for episode in bounce.episodes[:3]]
     (0.014347, ['sliding', 'sticking', 'sliding'])
     """
-    parameters = CollisionParameters(kappa, mu_over_alpha, gt_over_gn, damping)
+    told = damping_told(damping, normal_restitution)
+    parameters = CollisionParameters(kappa, mu_over_alpha, gt_over_gn, told)
     return study_collision(parameters, Options(**options), quantities, episode_limit)
 
 
@@ -116,6 +126,7 @@ def collisions(
     gt_over_gn: npt.ArrayLike,
     damping: npt.ArrayLike = 0.0,
     *,
+    normal_restitution: npt.ArrayLike | None = None,
     quantities: Collection[str] = LISTED,
     **options: Any,
 ) -> BatchStudy:
@@ -127,6 +138,8 @@ def collisions(
     ----------
     kappa, mu_over_alpha, gt_over_gn, damping : array_like, shape () or (N,)
         κ > 0 of Eq. 24, μ/α ≥ 0, g_t/g_n ≥ 0 before, and η ≥ 0; broadcast together.
+    normal_restitution : array_like, shape () or (N,), optional
+        ε_n in place of η, 0 < ε_n ≤ 1; up to 500 different ones.
     quantities : collection of str, optional
         epsilon_t, epsilon_n, switches; also coulomb, stiff_bound, stiff_asymptote,
         largest_switches, and error, that of the method that answered.
@@ -151,7 +164,8 @@ def collisions(
     >>> collisions([18, 63], 1.4, [0.4, 1.358]).columns["switches"]
     array([4, 8], dtype=int32)
     """
-    return study_batch(kappa, mu_over_alpha, gt_over_gn, quantities, Options(**options), damping)
+    dampings = dampings_told(damping, normal_restitution)
+    return study_batch(kappa, mu_over_alpha, gt_over_gn, quantities, Options(**options), dampings)
 
 
 def trace(
@@ -160,6 +174,7 @@ def trace(
     gt_over_gn: float,
     damping: float = 0.0,
     *,
+    normal_restitution: float | None = None,
     samples: int = 400,
     columns: Collection[str] = COLUMNS,
     **options: Any,
@@ -172,6 +187,8 @@ def trace(
     ----------
     kappa, mu_over_alpha, gt_over_gn, damping : float
         κ > 0 of Eq. 24, μ/α ≥ 0, g_t/g_n ≥ 0 before, and η ≥ 0.
+    normal_restitution : float, optional
+        ε_n in place of η, 0 < ε_n ≤ 1.
     samples : int, optional
         Uniform instants from 0 to t_c, at least 2; those of the switches are added.
     columns : collection of str, optional
@@ -199,7 +216,8 @@ def trace(
     >>> trace(63, 1.4, 1.358)["time"].shape
     (408,)
     """
-    parameters = CollisionParameters(kappa, mu_over_alpha, gt_over_gn, damping)
+    told = damping_told(damping, normal_restitution)
+    parameters = CollisionParameters(kappa, mu_over_alpha, gt_over_gn, told)
     return study_trace(parameters, Options(**options), samples, columns)
 
 
@@ -208,6 +226,7 @@ def cut(
     mu_over_alpha: float,
     gt_over_gn: float | Axis,
     *,
+    normal_restitution: float | None = None,
     quantities: Collection[str] = ("epsilon_t", "switches"),
     **options: Any,
 ) -> CutStudy:
@@ -221,6 +240,8 @@ def cut(
         κ > 0 of Eq. 24 and g_t/g_n ≥ 0 before; the one that varies is an axis.
     mu_over_alpha : float
         μ/α ≥ 0.
+    normal_restitution : float, optional
+        ε_n in place of the damping, 0 < ε_n ≤ 1.
     quantities : collection of str, optional
         As of `collisions`.
     **options
@@ -243,7 +264,7 @@ def cut(
     >>> cut(63, 1.4, Axis(0.01, 4, 5)).batch.columns["switches"]
     array([4, 6, 6, 0, 0], dtype=int32)
     """
-    way = Options(**options)
+    way = _way(options, normal_restitution)
     if isinstance(kappa, Axis) and not isinstance(gt_over_gn, Axis):
         return study_cut(
             kappa, mu_over_alpha, gt_over_gn=gt_over_gn, quantities=quantities, options=way
@@ -258,6 +279,7 @@ def map(  # noqa: A001 - the name of the call
     mu_over_alpha: float,
     gt_over_gn: Axis,
     *,
+    normal_restitution: float | None = None,
     quantities: Collection[str] = ("epsilon_t", "switches"),
     **options: Any,
 ) -> GridStudy:
@@ -271,6 +293,8 @@ def map(  # noqa: A001 - the name of the call
         Along which κ > 0 of Eq. 24, n values, and g_t/g_n ≥ 0 before, k values, run.
     mu_over_alpha : float
         μ/α ≥ 0.
+    normal_restitution : float, optional
+        ε_n in place of the damping, 0 < ε_n ≤ 1.
     quantities : collection of str, optional
         As of `collisions`.
     **options
@@ -295,4 +319,11 @@ def map(  # noqa: A001 - the name of the call
     >>> found.batch.columns["epsilon_t"].reshape(5, 6).shape
     (5, 6)
     """
-    return study_grid(kappa, gt_over_gn, mu_over_alpha, quantities, Options(**options))
+    way = _way(options, normal_restitution)
+    return study_grid(kappa, gt_over_gn, mu_over_alpha, quantities, way)
+
+
+def _way(options: dict[str, Any], normal_restitution: float | None) -> Options:
+    """Return the options of a cut or map, whose damping is among them, or told by ε_n."""
+    told = damping_told(options.get("damping", 0.0), normal_restitution)
+    return Options(**options | {"damping": told})

@@ -8,6 +8,7 @@ from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import StepsStudy, study_steps
 from restitution.studies.accuracy.tradeoff import Measurement, stored_measurement
 from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.dampings import damping_told
 from restitution.studies.collision.parameters import CollisionParameters
 from restitution.studies.tables.export import RestitutionTable, study_table_as_wanted
 from restitution.studies.tables.grid import Sign
@@ -21,6 +22,7 @@ def table(
     psi: Axis,
     damping: float | Axis = 0.0,
     *,
+    normal_restitution: float | None = None,
     error: float | None = None,
     sign: Sign = "paper",
     seconds: float = 60.0,
@@ -35,6 +37,8 @@ def table(
         κ > 0 of Eq. 24, n values, and ψ = (α/μ)(g_t/g_n) ≥ 0, k values.
     damping : float or Axis, optional
         η ≥ 0 of all entries, or a third axis of m values.
+    normal_restitution : float, optional
+        ε_n of all entries in place of η, 0 < ε_n ≤ 1.
     error : float, optional
         Largest error of interpolation wanted; the counts of the axes are then chosen for it.
     sign : ``"paper"`` or ``"reversed"``, optional
@@ -59,7 +63,8 @@ def table(
     >>> table(Axis(3, 6, 20), Axis(0.1, 2, 20)).epsilon_t.shape
     (20, 20)
     """
-    return study_table_as_wanted(error, kappa, psi, sign, damping, seconds=seconds)
+    told = damping_told(damping, normal_restitution)
+    return study_table_as_wanted(error, kappa, psi, sign, told, seconds=seconds)
 
 
 def steps(
@@ -69,6 +74,7 @@ def steps(
     gt_over_gn: float | None = None,
     damping: float = 0.0,
     *,
+    normal_restitution: float | None = None,
     region: SceneName | None = None,
 ) -> StepsStudy:
     """Return how many time steps per contact a wanted error takes.
@@ -81,6 +87,8 @@ def steps(
         Largest error wanted in ε_t.
     kappa, mu_over_alpha, gt_over_gn, damping : float, optional
         One collision: κ > 0 of Eq. 24, μ/α ≥ 0, g_t/g_n ≥ 0 before, and η ≥ 0.
+    normal_restitution : float, optional
+        ε_n in place of η, 0 < ε_n ≤ 1.
     region : str, optional
         Or many: figure4, stiff, solids, damped or extremes.
 
@@ -100,7 +108,8 @@ def steps(
     32
     """
     if kappa is not None and mu_over_alpha is not None and gt_over_gn is not None and not region:
-        return study_steps(error, CollisionParameters(kappa, mu_over_alpha, gt_over_gn, damping))
+        told = damping_told(damping, normal_restitution)
+        return study_steps(error, CollisionParameters(kappa, mu_over_alpha, gt_over_gn, told))
     if region and kappa is mu_over_alpha is gt_over_gn is None:
         return study_steps(error, region)
     raise ParameterError("region", region, "given, or else kappa, mu_over_alpha and gt_over_gn")

@@ -16,6 +16,7 @@ from restitution.bounds import annotations
 from restitution.methods.answer import AnsweringMethod
 from restitution.methods.options import OneMethod, Options
 from restitution.paper import Correction, Item
+from restitution.quantities import QUANTITIES
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import Needed, Spread
 from restitution.studies.accuracy.tradeoff import Measurement, Row, WantedError
@@ -114,7 +115,14 @@ class ManyCollisions(TypedDict):
     tolerance_met: Annotated[bool, Field(description="by all of them")]
 
 
-class Cut(ManyCollisions):
+class FoundDamping(TypedDict):
+    """What all collisions have in common where `normal_restitution` was given."""
+
+    damping: NotRequired[Annotated[float, QUANTITIES["damping"]]]
+    epsilon_n: NotRequired[Annotated[float, QUANTITIES["epsilon_n"]]]
+
+
+class Cut(ManyCollisions, FoundDamping):
     """Quantities asked for along one parameter."""
 
     along: Literal["gt_over_gn", "kappa"]
@@ -140,7 +148,7 @@ class MapColumns(ManyCollisions):
     error: NotRequired[SomeGrid]
 
 
-class Map(MapColumns):
+class Map(MapColumns, FoundDamping):
     """Quantities asked for over κ and g_t/g_n, indexed [gt_over_gn][kappa]."""
 
     kappa: Numbers
@@ -168,6 +176,9 @@ class Collisions(TypedDict):
     epsilon_t: NotRequired[Numbers]
     epsilon_n: NotRequired[Numbers]
     switches: NotRequired[Counts]
+    damping: NotRequired[
+        Annotated[Numbers, Field(description="as found, where normal_restitution was given")]
+    ]
     method: list[AnsweringMethod]
     error_bound: Numbers
     tolerance_met: list[bool]

@@ -1,5 +1,6 @@
 """What the body of a request may say, call by call, and reading those with long lists."""
 
+import functools
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from typing import Annotated, Any, Literal, NotRequired, Union
@@ -12,8 +13,9 @@ from typing_extensions import TypedDict
 from restitution.bounds import Misfit, Words, annotations, as_float, closed, plain, said
 from restitution.errors import CostError
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.options import Damping, Options, Tolerance
+from restitution.methods.options import Damping, NormalRestitution, Options, Tolerance
 from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.collision.dampings import dampings_told, no_way_with, told_twice
 from restitution.studies.collision.many import LISTED, QUANTITIES, BatchQuantity, ListedQuantity
 from restitution.studies.collision.parameters import GtOverGn, Kappa, MuOverAlpha
 from restitution.studies.spheres.bodies import NotNegative, Positive
@@ -151,9 +153,15 @@ class CollisionsBody(Options):
     damping: Annotated[FloatArray, Many(Damping)] = field(  # type: ignore[assignment]
         default_factory=lambda: np.array(0.0)
     )
+    normal_restitution: Annotated[FloatArray | None, Many(NormalRestitution)] = None
     quantities: Annotated[list[ListedQuantity], Len(1, len(LISTED))] = field(
         default_factory=lambda: list(LISTED)
     )
+
+    @functools.cached_property
+    def dampings(self) -> FloatArray:
+        """η as understood."""
+        return dampings_told(self.damping, self.normal_restitution)
 
     @property
     def options(self) -> Options:
@@ -167,6 +175,7 @@ MANY = {
     for name, annotation in annotations(CollisionsBody).items()
     if (many := said(annotation, Many))
 }
+REQUIRED = {"kappa", "mu_over_alpha", "gt_over_gn"}
 NUMBERS = {n for n, of in annotations(CollisionsBody).items() if plain(of) in (float, int)}
 
 
@@ -184,19 +193,24 @@ def read_collisions(text: bytes) -> CollisionsBody:
     """
     body = parse_lists(text)
     _refuse_too_many(len(value) for value in body.values() if isinstance(value, list))
-    arrays, errors = {}, []
+    arrays: dict[str, FloatArray] = {}
+    errors = [_told_twice(name, body[name], words) for name, words in told_twice(body)]
+    # null is no number, wherever it is given
     for name, many in MANY.items():
-        arrays[name], wrong = number_array(name, body.get(name, _default(name)), many.each)
-        errors += wrong
+        if name in body or name in REQUIRED:
+            arrays[name], wrong = number_array(name, body.get(name), many.each)
+            errors += wrong
     # texts and booleans are no numbers here, as they are in a query
     others = {
         name: None if name in NUMBERS and isinstance(value, str | bool) else value
         for name, value in body.items()
         if name not in MANY
     }
+    ways = no_way_with(others, arrays.get("normal_restitution", np.array(1.0)))
+    errors += [refusal(name, others[name], words) for name, words in ways]
     read = None
     try:
-        read = adapter(CollisionsBody).validate_python(others | dict.fromkeys(MANY, 1.0))
+        read = adapter(CollisionsBody).validate_python(others | dict.fromkeys(arrays, 1.0))
     except ValidationError as error:
         errors += entries(CollisionsBody, body, error)
     lengths = {name: array.size for name, array in arrays.items() if array.ndim}
@@ -211,8 +225,8 @@ def read_collisions(text: bytes) -> CollisionsBody:
     return replace(read, **arrays)  # type: ignore[no-any-return]
 
 
-def _default(name: str) -> float | None:
-    return 0.0 if name == "damping" else None
+def _told_twice(name: str, value: object, words: str) -> dict[str, Any]:
+    return refusal(name, value if isinstance(value, int | float) else "a list", words)
 
 
 def _refuse_too_many(lengths: Iterable[int]) -> None:

@@ -3,19 +3,20 @@
 import functools
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Annotated, Any, Literal, TypeVar
 
 from annotated_types import Ge, Gt, Le
-from pydantic_core import PydanticCustomError, core_schema
 
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
 from restitution.mechanics.contact import MOST_DAMPING
-from restitution.methods.options import Damping, Options
+from restitution.mechanics.scaled_velocity import psi_of
+from restitution.methods.options import Options
 from restitution.methods.planner import is_quick, switches_to_follow
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision import many, one, trace
 from restitution.studies.collision.axis import Axis, Scale
+from restitution.studies.collision.dampings import no_way_with, told_twice
 from restitution.studies.collision.parameters import (
     CollisionParameters,
     GtOverGn,
@@ -23,8 +24,10 @@ from restitution.studies.collision.parameters import (
     MuOverAlpha,
 )
 from restitution.studies.tables.grid import Sign
+from restitution.wire.damped import Damped
 from restitution.wire.formats import CsvOptions
 from restitution.wire.ranges import Range, as_number
+from restitution.wire.several import Several
 
 QUICK_ROWS = 2500
 """Of an answer: with all columns of a trace four milliseconds, most of them for writing them."""
@@ -35,30 +38,6 @@ Part = TypeVar("Part")
 def part(whole: Any, of: type[Part]) -> Part:
     """Return the members of `whole` that make an object `of` its own."""
     return of(**{name: getattr(whole, name) for name in annotations(of)})
-
-
-class Several(Words):
-    """A comma-separated choice of words."""
-
-    def __init__(self, *allowed: str) -> None:
-        super().__init__(f"a comma-separated choice of {', '.join(allowed)}")
-        self.__dict__["allowed"] = allowed
-
-    def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
-        """Let pydantic refuse other words."""
-        allowed = set(self.__dict__["allowed"])
-
-        def check(text: str) -> str:
-            if not set(text.split(",")) <= allowed:
-                raise PydanticCustomError("words", "not a choice")
-            return text
-
-        return core_schema.no_info_after_validator_function(check, handler(source))
-
-    def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
-        """Describe the choice as a pattern."""
-        word = f"({'|'.join(self.__dict__['allowed'])})"
-        return handler(schema) | {"pattern": f"^{word}(,{word})*$"}
 
 
 @closed
@@ -79,15 +58,23 @@ class FormQuery(CsvOptions):
 
 
 @closed
-class ComputedQuery(Options, FormQuery):
+class ComputedQuery(Damped, Options, FormQuery):
     """A request for quantities, the way to them and their form."""
 
     quantities: str = ""
 
+    @staticmethod
+    def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
+        """Yield what is wrong with the form, and the damping beside other parameters."""
+        yield from CsvOptions.misfits(given)
+        yield from Damped.misfits(given)
+        restitution = as_number(given.get("normal_restitution"), None)
+        yield from no_way_with(given, 1.0 if restitution is None else restitution)
+
     @functools.cached_property
     def options(self) -> Options:
         """What the methods take of it."""
-        return part(self, Options)
+        return replace(part(self, Options), damping=self.eta)
 
     @property
     def wanted(self) -> tuple[str, ...]:
@@ -108,13 +95,14 @@ class CollisionQuery(ComputedQuery):
     @functools.cached_property
     def parameters(self) -> CollisionParameters:
         """The collision itself."""
-        return part(self, CollisionParameters)
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.eta)
 
     @property
     def is_quick(self) -> bool:
         """Whether it is computed and written in some milliseconds."""
-        switches = switches_to_follow(self.kappa, self.parameters.psi)
-        return is_quick(switches, self.options) and self.rows(switches) <= QUICK_ROWS
+        switches = switches_to_follow(self.kappa, psi_of(self.mu_over_alpha, self.gt_over_gn))
+        quick = is_quick(switches, part(self, Options), damped=self.is_damped)
+        return quick and self.rows(switches) <= QUICK_ROWS
 
     def rows(self, switches: float) -> float:
         """Return how many rows are written of a collision of so many switches: its episodes."""
@@ -167,7 +155,7 @@ class CutQuery(ComputedQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
-        yield from CsvOptions.misfits(given)
+        yield from ComputedQuery.misfits(given)
         along = given.get("along")
         if along not in CUTS:
             return
@@ -235,8 +223,8 @@ class MapQuery(KappaEdge, ComputedQuery):
 
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
-        """Yield what is wrong with the edges."""
-        yield from CsvOptions.misfits(given)
+        """Yield what is wrong with the edges, the damping and the form."""
+        yield from ComputedQuery.misfits(given)
         yield from KAPPAS.misfits(given)
         yield from TANGENTIAL.misfits(given)
 
@@ -254,14 +242,13 @@ DampingEdge = Meaning("damping at an edge of the map")
 
 
 @closed
-class TableQuery(KappaEdge, CsvOptions):
+class TableQuery(Damped, KappaEdge, CsvOptions):
     """``GET /table``; the error wanted, or else counts."""
 
     psi_min: Annotated[float, Ge(0), PsiEdge] = PSIS.default[0]
     psi_max: Annotated[float, Gt(0), PsiEdge] = PSIS.default[1]
     psi_count: Count = 150
     psi_scale: Scale = "linear"
-    damping: Damping = 0.0
     damping_min: Annotated[float, Ge(0), Le(MOST_DAMPING), DampingEdge] = 0.0
     damping_max: Annotated[float, Gt(0), Le(MOST_DAMPING), DampingEdge] | None = None
     damping_count: Count = 10
@@ -289,10 +276,12 @@ class TableQuery(KappaEdge, CsvOptions):
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
         yield from CsvOptions.misfits(given)
+        yield from Damped.misfits(given)
         yield from KAPPAS.misfits(given)
         yield from PSIS.misfits(given)
         if DAMPINGS.maximum in given:
             yield from DAMPINGS.misfits(given)
+            yield from told_twice(given, DAMPINGS.maximum)
             if as_number(given.get("damping"), 0.0) != 0.0:
                 yield "damping", "left out, as `damping_max` makes it an axis"
         else:
@@ -309,9 +298,15 @@ class TableQuery(KappaEdge, CsvOptions):
         return self.kappa_axis, _edge(self, "psi_")
 
     @property
+    def counts(self) -> tuple[int, ...]:
+        """Entries along κ, ψ, and η where it is an axis."""
+        third = () if self.damping_max is None else (self.damping_count,)
+        return self.kappa_count, self.psi_count, *third
+
+    @property
     def third(self) -> Axis | float:
         """The axis of η where there is one, else the η of all entries."""
-        return self.damping if self.damping_max is None else _edge(self, "damping_")
+        return self.eta if self.damping_max is None else _edge(self, "damping_")
 
 
 def _is_default(query: type, name: str, text: str) -> bool:
@@ -333,7 +328,7 @@ class TradeoffQuery(SceneQuery, FormQuery):
 
 
 @closed
-class StepsQuery(FormQuery):
+class StepsQuery(Damped, FormQuery):
     """``GET /steps``: a collision, or else a region."""
 
     error: WantedError = 1e-3
@@ -341,17 +336,17 @@ class StepsQuery(FormQuery):
     kappa: Kappa | None = None
     mu_over_alpha: MuOverAlpha | None = None
     gt_over_gn: GtOverGn | None = None
-    damping: Damping = 0.0
 
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
         yield from CsvOptions.misfits(given)
+        yield from Damped.misfits(given)
         names = ("kappa", "mu_over_alpha", "gt_over_gn")
         if "region" not in given:
             yield from ((name, "given, or else `region`") for name in names if name not in given)
             return
-        for name in (*names, "damping"):
+        for name in (*names, "damping", "normal_restitution"):
             if name in given and not _is_default(StepsQuery, name, given[name]):
                 yield name, "left out, as `region` is given"
 
@@ -360,13 +355,18 @@ class StepsQuery(FormQuery):
         """The collision, None for a region."""
         if self.kappa is None or self.mu_over_alpha is None or self.gt_over_gn is None:
             return None
-        return part(self, CollisionParameters)
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.eta)
 
 
 FORM = {"format", "encoding", "quantities", "episode_limit", *annotations(CsvOptions)}
 """Parameters of a query that are not the collision's."""
 
 
-def as_understood(query: Any, **more: Any) -> dict[str, Any]:
-    """Return the parameters of a query without those of its form, defaults filled in."""
-    return {name: value for name, value in values(query).items() if name not in FORM} | more
+def as_understood(query: Damped, **more: Any) -> dict[str, Any]:
+    """Return the parameters of a query without those of its form, defaults filled in.
+
+    Of ε_n in place of the damping there is left what was found.
+    """
+    others = FORM | {"normal_restitution"}
+    understood = {name: value for name, value in values(query).items() if name not in others}
+    return understood | {"damping": query.eta} | more

@@ -87,6 +87,7 @@ def cut(query: CutQuery) -> Result:
         "along": study.along,
         "values": study.values,
         **batch_payload(study.batch, study.values.shape),
+        **query.found(),
     }
     return Result(payload, lambda: {study.along: study.values, **study.batch.columns})
 
@@ -107,6 +108,7 @@ def map(query: MapQuery) -> Result:  # noqa: A001 - the name of the call
         "kappa": study.kappa,
         "gt_over_gn": study.gt_over_gn,
         **batch_payload(study.batch, shape),
+        **query.found(),
     }
     return Result(
         payload,
@@ -139,10 +141,14 @@ def collisions(body: CollisionsBody) -> Result:
         body.gt_over_gn,
         body.quantities,
         body.options,
-        body.damping,
+        body.dampings,
     )
+    found = {}
+    if body.normal_restitution is not None:
+        found["damping"] = np.broadcast_to(batch.given["damping"], batch.method.shape)
     payload: Payload = {
         **{name: batch.columns[name] for name in LISTED if name in batch.columns},
+        **found,
         "method": batch.method,
         "error_bound": batch.error_bound,
         "tolerance_met": batch.tolerance_met.tolist(),

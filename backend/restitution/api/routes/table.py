@@ -2,7 +2,6 @@
 
 from restitution.api.calls import Calls
 from restitution.studies.tables.export import study_table_as_wanted
-from restitution.studies.tables.grid import TableGrid
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.formats import Result
 from restitution.wire.queries import TableQuery
@@ -20,7 +19,7 @@ calls = Calls("table")
     None,
     "A table",
     example={"kappa_count": 20, "psi_count": 15},
-    limit=lambda query: refuse_more_points(*reversed(TableGrid(*query.axes, query.third).shape)),
+    limit=lambda query: refuse_more_points(*query.counts),
 )
 def table(query: TableQuery) -> Result:
     """Return ε_t over κ and ψ for other codes: CSV, NPZ, a C header or a Python module.

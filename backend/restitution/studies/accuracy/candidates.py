@@ -11,7 +11,7 @@ import numpy.typing as npt
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.stepping import INTEGRATORS, step_collisions
 from restitution.methods import coulomb, ode, planner
-from restitution.methods.options import Options
+from restitution.methods.options import UNDAMPED, Options
 
 if TYPE_CHECKING:
     from restitution.methods.answer import Answer
@@ -37,9 +37,6 @@ Counts = npt.NDArray[np.int32] | None
 Outcome = tuple[FloatArray, Counts]
 Run = Callable[[FloatArray, FloatArray, float], Outcome]
 """From κ and ψ (N,) and one η."""
-
-UNDAMPED = frozenset({"stiff", "table"})
-"""Methods that are made for η = 0."""
 
 
 @dataclass(frozen=True)
@@ -74,7 +71,7 @@ def candidates(*, damped: bool = False) -> list[Candidate]:
 
     Those of `UNDAMPED` stay away where collisions are `damped`.
     """
-    left_out = UNDAMPED if damped else frozenset()
+    left_out = UNDAMPED.keys() if damped else ()
     knobs: dict[str, list[Knobs]] = {name: [{}] for name in planner.METHODS if name not in left_out}
     knobs["pragmatic"] = [{"floor": -1.0}]
     found = [_planned(tolerance) for tolerance in TOLERANCES]
