@@ -30,7 +30,7 @@ from restitution.public.collisions import (
     trace,
 )
 from restitution.public.explore import Page, explore
-from restitution.public.reports import paper_statements, steps, table, tradeoff
+from restitution.public.reports import paper_statements, steps, table, tradeoff, walton
 from restitution.studies.accuracy.steps import StepsStudy
 from restitution.studies.accuracy.tradeoff import Measurement
 from restitution.studies.collision.axis import Axis
@@ -43,9 +43,10 @@ from restitution.studies.collision.trace import TraceStudy
 from restitution.studies.spheres.bodies import Moment, Sphere, Wall
 from restitution.studies.spheres.collision import ScalingStudy
 from restitution.studies.spheres.contact import Contact
-from restitution.studies.spheres.impact import Impact, Velocities
+from restitution.studies.spheres.impact import Impact, SpeedAndAngle, Velocities
 from restitution.studies.spheres.materials import MATERIALS, Material
 from restitution.studies.spheres.velocity_map import VelocityMap
+from restitution.studies.spheres.walton import WaltonStudy
 from restitution.studies.tables.export import RestitutionTable
 
 __all__ = [
@@ -69,12 +70,14 @@ __all__ = [
     "RestitutionError",
     "RestitutionTable",
     "ScalingStudy",
+    "SpeedAndAngle",
     "Sphere",
     "StepsStudy",
     "TraceStudy",
     "Velocities",
     "VelocityMap",
     "Wall",
+    "WaltonStudy",
     "collision",
     "collisions",
     "cut",
@@ -86,4 +89,5 @@ __all__ = [
     "table",
     "trace",
     "tradeoff",
+    "walton",
 ]

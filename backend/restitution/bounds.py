@@ -137,7 +137,7 @@ def choice(words: tuple[Any, ...]) -> str:
 
 def _bounds(annotation: Any) -> tuple[Any, ...]:
     items = get_args(annotation)[1:] if get_origin(annotation) is Annotated else ()
-    return tuple(item for item in items if isinstance(item, at.Gt | at.Ge | at.Le))
+    return tuple(item for item in items if isinstance(item, at.Gt | at.Ge | at.Le | at.Lt))
 
 
 def _range(kind: type, bounds: tuple[Any, ...]) -> str:
@@ -150,6 +150,8 @@ def _range(kind: type, bounds: tuple[Any, ...]) -> str:
             )
         case (at.Gt(gt=low), at.Le(le=high)):
             return f"> {low:g} and ≤ {high:g}"
+        case (at.Ge(ge=low), at.Lt(lt=high)):
+            return f"≥ {low:g} and < {high:g}"
         case (at.Ge(ge=low),):
             return f"an integer ≥ {low}" if kind is int else f"finite and ≥ {low:g}"
         case (at.Gt(gt=low),):
@@ -169,6 +171,8 @@ def interval(annotation: Any) -> tuple[float, float]:
                 low = math.nextafter(below, math.inf)  # type: ignore[arg-type]
             case at.Le(le=largest):
                 high = largest  # type: ignore[assignment]
+            case at.Lt(lt=above):
+                high = math.nextafter(above, -math.inf)  # type: ignore[arg-type]
     return low, high
 
 

@@ -8,7 +8,7 @@ import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, BinaryIO, get_args
+from typing import BinaryIO, get_args
 
 import click
 from click.core import ParameterSource
@@ -31,6 +31,7 @@ from restitution.api.settings import (
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.bounds import annotations
+from restitution.command_collide import collide
 from restitution.errors import RestitutionError
 from restitution.studies.accuracy.report import tradeoff_report
 from restitution.studies.accuracy.scenes import SCENES, SceneName
@@ -41,15 +42,14 @@ from restitution.studies.accuracy.tradeoff import (
     study_tradeoff,
 )
 from restitution.studies.collision.axis import Scale
-from restitution.studies.spheres.collision import ScalingStudy, study_scaling
+from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
-from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
-from restitution.wire.reading import read_object, read_query
-from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
-from restitution.wire.results import scaling_result, table_result
+from restitution.wire.reading import read_query
+from restitution.wire.refusals import RefusedParametersError, sentences
+from restitution.wire.results import table_result
 
 
 @click.group()
@@ -180,87 +180,23 @@ def tradeoff(scenes: tuple[SceneName, ...], out: Path, report: Path | None) -> N
         report.write_text(tradeoff_report(load_tradeoff(out)))
 
 
-IN_SHORT = ("radius", "density", "youngs_modulus", "poisson_ratio", "friction", "normal_velocity")
-"""Options that describe an impact of equal bodies without a file."""
-
-
-@main.command()
-@click.argument("file", type=click.File("rb"), required=False)
-@click.option("--radius", type=float, help="Radius in m.")
-@click.option("--density", type=float, help="Density in kg/m³.")
-@click.option("--youngs-modulus", type=float, help="Young's modulus in Pa.")
-@click.option("--poisson-ratio", type=float, help="Poisson's ratio.")
-@click.option("--wall", is_flag=True, help="A sphere on a wall of its material, not two spheres.")
-@click.option("--friction", type=float, help="Coefficient of friction.")
-@click.option("--stiffness", type=float, help="Tangential stiffness in N/m; Mindlin's by default.")
-@click.option("--normal-velocity", type=float, help="Normal velocity in m/s.")
-@click.option("--tangential-velocity", type=float, default=0.0, help="Tangential velocity in m/s.")
-@click.option("--json", "in_full", is_flag=True, help="Print JSON, as the service does.")
-def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: float | None) -> None:
-    """Let two spheres, or a sphere and a wall, collide.
-
-    FILE (- for standard input) holds the JSON of POST /api/v1/scaling. Without it the options
-    describe two equal spheres, or a sphere and a wall of its material.
-    """
-    try:
-        text = file.read() if file else json.dumps(_body(wall, given)).encode()
-        body = read_object(ScalingBody, text)
-        study = study_scaling(body, body.impact)
-    except RefusedParametersError as refused:
-        raise click.ClickException("\n".join(sentences(refused.errors))) from refused
-    except (MalformedBodyError, RestitutionError) as refused:
-        raise click.ClickException(str(refused)) from refused
-    click.echo(_written(scaling_result(study), "json") if in_full else _summary(study))
-
-
 def _written(result: Result, form: str, options: CsvOptions | None = None) -> bytes:
     return b"".join(formed(result, form, options=options)[1])
 
 
-def _body(wall: bool, given: dict[str, float | None]) -> dict[str, Any]:
-    """Return the options of an impact of equal bodies as the body of a request."""
-    if missing := [f"--{name.replace('_', '-')}" for name in IN_SHORT if given[name] is None]:
-        raise click.UsageError(f"give FILE, or also {', '.join(missing)}")
-    material = {
-        "youngs_modulus_pa": given["youngs_modulus"],
-        "poisson_ratio": given["poisson_ratio"],
-    }
-    sphere = material | {"radius_m": given["radius"], "density_kg_m3": given["density"]}
-    stiffness = given["stiffness"]
-    return {
-        "body_1": sphere,
-        "body_2": material | {"wall": True} if wall else sphere,
-        "friction_coefficient": given["friction"],
-        "tangential_stiffness_n_per_m": "mindlin" if stiffness is None else stiffness,
-        "impact": {
-            "normal_velocity_m_s": given["normal_velocity"],
-            "tangential_velocity_m_s": given["tangential_velocity"],
-        },
-    }
+main.add_command(collide)
 
 
-def _summary(study: ScalingStudy) -> str:
-    """Return a collision of real bodies in lines."""
-    psi = math.inf if study.psi is None else study.psi
-    lines = [
-        f"epsilon_t  {study.epsilon_t:.10g}  (error at most {study.error_bound:.1g})",
-        f"epsilon_n  {study.epsilon_n:.10g}",
-        f"switches   {'not counted' if study.switches is None else study.switches}",
-        f"kappa      {study.kappa:.8g}",
-        f"mu/alpha   {study.mu_over_alpha:.8g}",
-        f"g_t/g_n    {study.gt_over_gn:.8g}",
-        f"psi        {psi:.8g}",
-        f"contact    {study.contact_duration_s:.4g} s",
-        f"depth      {study.maximum_compression_m:.4g} m",
-        f"force      {study.maximum_normal_force_n:.4g} N",
-    ]
-    if study.after:
-        lines += [
-            f"{name}  {', '.join(f'{part:.8g}' for part in vector)}"
-            for name, vector in study.after._asdict().items()
-        ]
-    lines += [f"warning    {caution.text}" for caution in study.warnings]
-    return "\n".join([*lines, study.convention])
+@main.command(context_settings={"ignore_unknown_options": True})
+@click.argument("beta_0", type=float)
+def walton(beta_0: float) -> None:
+    """Find the smallest κ whose undamped collisions have a β₀ of Walton's model."""
+    try:
+        study = study_walton(beta_0)
+    except RestitutionError as refused:
+        raise click.ClickException(str(refused)) from refused
+    others = ", ".join(f"{kappa:.8g}" for kappa in study.others)
+    click.echo(f"kappa      {study.kappa:.16g}\nothers     {others}, …\n{study.convention}")
 
 
 ENDS, COUNT = click.Tuple([str, str]), "Entries along it, unless --error is given."

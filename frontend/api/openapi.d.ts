@@ -144,6 +144,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/walton": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * From Walton's β₀ to κ
+         * @description Return the smallest κ whose undamped collisions have a β₀, and the next larger ones.
+         */
+        get: operations["walton"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/materials": {
         parameters: {
             query?: never;
@@ -737,8 +757,18 @@ export interface components {
              * @description mindlin: 8G*a at the largest undamped compression
              */
             tangential_stiffness_n_per_m: number | "mindlin";
-            /** Dissipative Constant S */
+            /**
+             * Dissipative Constant S
+             * @description A of Eq. 1; 0 if left out
+             */
             dissipative_constant_s: number;
+            /**
+             * Normal Restitution
+             * @description coefficient of normal restitution, in place of the damping that has it
+             */
+            normal_restitution?: number;
+            /** At Normal Velocity M S */
+            at_normal_velocity_m_s?: number;
         };
         /**
          * Materials
@@ -1117,6 +1147,11 @@ export interface components {
             effective_modulus_pa: number;
             /** Tangential Stiffness N Per M */
             tangential_stiffness_n_per_m: number;
+            /**
+             * Dissipative Constant S
+             * @description A of Eq. 1
+             */
+            dissipative_constant_s: number;
             /** Normal Velocity M S */
             normal_velocity_m_s: number;
             /** Tangential Velocity M S */
@@ -1138,6 +1173,21 @@ export interface components {
              * @description ε_t, from -1 to 1 unless `timestep` is unstable with so few steps
              */
             epsilon_t: number;
+            /**
+             * Centre Restitution
+             * @description 1 - alpha (1 - epsilon_t), the tangential velocity of the centres after over before, without spin before
+             */
+            centre_restitution: number;
+            /**
+             * Impulse Ratio
+             * @description tangential over normal impulse, the friction coefficient where it slides throughout
+             */
+            impulse_ratio: number;
+            /**
+             * Walton Beta 0
+             * @description -epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels; null where double precision does not hold it
+             */
+            walton_beta_0: number | null;
             /** Switches */
             switches: number | null;
             /** @description null if the impact was given by g_n and g_t */
@@ -1535,6 +1585,41 @@ export interface components {
             wall?: true;
         };
         /**
+         * WaltonStudy
+         * @description The smallest κ whose undamped collisions have a β₀; there are others, without end.
+         *
+         *     Attributes
+         *     ----------
+         *     beta_0 : float
+         *         −ε_t for ψ → 0.
+         *     kappa : float
+         *         From 0 to 0.953: the spring swings once at most.
+         *     others : list of float
+         *         The next larger κ that have it as well.
+         */
+        WaltonStudy: {
+            /**
+             * Beta 0
+             * @description Walton's β₀: -1 smooth spheres, +1 gear wheels
+             */
+            beta_0: number;
+            /**
+             * Kappa
+             * @description κ of Eq. 24, with α in it
+             */
+            kappa: number;
+            /**
+             * Others
+             * @description the next larger κ that have the same β₀
+             */
+            others: number[];
+            /**
+             * Convention
+             * @description sign and point of reference of every number
+             */
+            convention: string;
+        };
+        /**
          * WantedError
          * @description The steps per contact that a wanted error takes, by integrator; as of ``GET /steps``.
          */
@@ -1777,9 +1862,19 @@ export interface components {
             tangential_stiffness_n_per_m: number | "mindlin";
             /**
              * Dissipative Constant S
-             * @default 0
+             * @default null
              */
-            dissipative_constant_s?: number;
+            dissipative_constant_s?: number | null;
+            /**
+             * Normal Restitution
+             * @default null
+             */
+            normal_restitution?: number | null;
+            /**
+             * At Normal Velocity M S
+             * @default null
+             */
+            at_normal_velocity_m_s?: number | null;
             /**
              * Id
              * @default null
@@ -1806,7 +1901,19 @@ export interface components {
              */
             measured?: unknown;
             /** Impact */
-            impact: components["schemas"]["Velocities"] | components["schemas"]["Impact"];
+            impact: components["schemas"]["Velocities"] | components["schemas"]["SpeedAndAngle"] | components["schemas"]["Impact"];
+        };
+        /**
+         * SpeedAndAngle
+         * @description An impact by speed and angle at the point of contact, without spin those of the centre.
+         *
+         *     g_n and g_t are speed × cosine and sine of the angle.
+         */
+        SpeedAndAngle: {
+            /** Speed M S */
+            speed_m_s: number;
+            /** Angle Deg */
+            angle_deg: number;
         };
         /**
          * VelocityMapBody
@@ -1826,9 +1933,19 @@ export interface components {
             tangential_stiffness_n_per_m: number | "mindlin";
             /**
              * Dissipative Constant S
-             * @default 0
+             * @default null
              */
-            dissipative_constant_s?: number;
+            dissipative_constant_s?: number | null;
+            /**
+             * Normal Restitution
+             * @default null
+             */
+            normal_restitution?: number | null;
+            /**
+             * At Normal Velocity M S
+             * @default null
+             */
+            at_normal_velocity_m_s?: number | null;
             /**
              * Id
              * @default null
@@ -2031,7 +2148,7 @@ export interface operations {
                  */
                 mu_over_alpha: number;
                 /**
-                 * @description g_t/g_n: finite and ≥ 0
+                 * @description g_t/g_n: finite and ≥ 0: ε_t does not depend on the sign
                  * @example 1.358
                  */
                 gt_over_gn: number;
@@ -2111,7 +2228,7 @@ export interface operations {
                  */
                 mu_over_alpha: number;
                 /**
-                 * @description g_t/g_n: finite and ≥ 0
+                 * @description g_t/g_n: finite and ≥ 0: ε_t does not depend on the sign
                  * @example 1.358
                  */
                 gt_over_gn: number;
@@ -2227,7 +2344,7 @@ export interface operations {
                  * @example 63
                  */
                 kappa?: number;
-                /** @description g_t/g_n: finite and ≥ 0 */
+                /** @description g_t/g_n: finite and ≥ 0: ε_t does not depend on the sign */
                 gt_over_gn?: number;
                 /** @description finite and ≥ 0 */
                 minimum?: number;
@@ -2566,6 +2683,48 @@ export interface operations {
             503: components["responses"]["Busy"];
         };
     };
+    walton: {
+        parameters: {
+            query: {
+                /**
+                 * @description Walton's β₀: -1 smooth spheres, +1 gear wheels: from -1 to 1
+                 * @example 0.4
+                 */
+                beta_0: number;
+                /** @description one of json, csv, npz */
+                format?: "json" | "csv" | "npz";
+                /** @description form of arrays in JSON: base64, or plain for lists */
+                encoding?: "plain" | "base64";
+            };
+            header?: {
+                /** @description ETags of answers at hand, with commas between them, or `*` */
+                "If-None-Match"?: components["parameters"]["IfNoneMatch"];
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The answer. */
+            200: {
+                headers: {
+                    ETag: components["headers"]["ETag"];
+                    "Cache-Control": components["headers"]["CacheForADay"];
+                    "Server-Timing": components["headers"]["ServerTiming"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["WaltonStudy"];
+                    "text/csv; charset=utf-8": string;
+                    "application/x-npz": unknown;
+                };
+            };
+            304: components["responses"]["Unchanged"];
+            413: components["responses"]["TooCostly"];
+            422: components["responses"]["WrongParameters"];
+            503: components["responses"]["Busy"];
+        };
+    };
     materials: {
         parameters: {
             query?: never;
@@ -2751,7 +2910,7 @@ export interface operations {
                  */
                 mu_over_alpha?: number;
                 /**
-                 * @description g_t/g_n: finite and ≥ 0
+                 * @description g_t/g_n: finite and ≥ 0: ε_t does not depend on the sign
                  * @example 1.358
                  */
                 gt_over_gn?: number;

@@ -7,7 +7,12 @@ import json
 import pytest
 from click.testing import CliRunner
 
+from restitution.bounds import annotations
 from restitution.cli import main
+from restitution.studies.spheres.bodies import Sphere
+from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.impact import TOLD_BY
+from restitution.wire.impact_options import OPTIONS
 
 STEEL = [
     "--radius", "0.02", "--density", "7850", "--youngs-modulus", "2.1e11",
@@ -61,6 +66,110 @@ def test_collide_on_a_wall_has_twice_the_effective_mass():
     pair = json.loads(run("collide", *STEEL, *single).stdout)
     wall = json.loads(run("collide", *STEEL, *single, "--wall").stdout)
     assert wall["effective_mass_kg"] == pytest.approx(2 * pair["effective_mass_kg"])
+
+
+IMPACT = ["--normal-velocity", "1", "--tangential-velocity", "0.5"]
+
+
+def body_of(*arguments, given=None):
+    """What a command asks for, as its answer: that of the same body to the service."""
+    return json.loads(run("collide", *arguments, "--json", given=given).stdout)
+
+
+OTHER = {"radius_m": 0.01, "mass_kg": 0.05, "youngs_modulus_pa": 7e10, "poisson_ratio": 0.25}
+EVERYTHING = [
+    (["--normal-restitution", "0.9"], {"normal_restitution": 0.9}),
+    (["--normal-restitution", "0.9", "--at-normal-velocity", "2"],
+     {"normal_restitution": 0.9, "at_normal_velocity_m_s": 2}),
+    (["--dissipative-constant", "1e-6"], {"dissipative_constant_s": 1e-6}),
+    (["--inertia", "hollow"], {"body_1": SPHERE | {"inertia": "hollow"},
+                               "body_2": SPHERE | {"inertia": "hollow"}}),
+    (["--moment", "3e-5", "--yield-stress", "1e9"],
+     {f"body_{i}": SPHERE | {"inertia": {"moment_kg_m2": 3e-5}, "yield_stress_pa": 1e9}
+      for i in (1, 2)}),
+    (["--radius-2", "0.01", "--mass-2", "0.05", "--youngs-modulus-2", "7e10",
+      "--poisson-ratio-2", "0.25"], {"body_2": OTHER}),
+    (["--wall", "--youngs-modulus-2", "7e10", "--poisson-ratio-2", "0.25"],
+     {"body_2": {"wall": True, "youngs_modulus_pa": 7e10, "poisson_ratio": 0.25}}),
+    (["--stiffness", "1e8"], {"tangential_stiffness_n_per_m": 1e8}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "change"), EVERYTHING)
+def test_collide_takes_by_options_all_that_the_service_takes(service, arguments, change):
+    body = {
+        "body_1": SPHERE,
+        "body_2": SPHERE,
+        "friction_coefficient": 0.4,
+        "tangential_stiffness_n_per_m": "mindlin",
+        "impact": {"normal_velocity_m_s": 1, "tangential_velocity_m_s": 0.5},
+    }
+    answer = service.read(service.post(body | change, path="/scaling"))
+    assert body_of(*STEEL, *IMPACT, *arguments) == answer
+
+
+@pytest.mark.parametrize(
+    ("arguments", "impact"),
+    [
+        (["--speed", "3.9", "--angle", "30"], {"speed_m_s": 3.9, "angle_deg": 30}),
+        (["--velocity-1", "1", "0", "-2", "--velocity-2", "0", "-.5", "0", "--normal", "0", "0",
+          "2", "--spin-1", "3", "-2", "1", "--spin-2", "0", "0", "1e1"],
+         {"velocity_1_m_s": [1, 0, -2], "velocity_2_m_s": [0, -0.5, 0], "normal": [0, 0, 2],
+          "spin_1_rad_s": [3, -2, 1], "spin_2_rad_s": [0, 0, 10]}),
+    ],
+)  # fmt: skip
+def test_collide_takes_impacts_of_every_kind_also_over_a_file(service, arguments, impact):
+    equal = BODY | {"body_2": SPHERE, "impact": impact}
+    answer = service.read(service.post(equal, path="/scaling"))
+    assert body_of(*STEEL, *arguments) == answer
+    file = equal | {"impact": {"normal_velocity_m_s": 1, "tangential_velocity_m_s": 0}}
+    assert body_of("-", *arguments, given=json.dumps(file)) == answer
+
+
+def test_collide_takes_options_in_place_of_what_a_file_has(service):
+    file = BODY | {"dissipative_constant_s": 1e-6}
+    other = SPHERE | {"mass_kg": 0.3}
+    del other["density_kg_m3"]
+    body = BODY | {"body_1": other, "normal_restitution": 0.9, "friction_coefficient": 0.2}
+    answer = service.read(service.post(body, path="/scaling"))
+    options = ["--mass", "0.3", "--normal-restitution", "0.9", "--friction", "0.2"]
+    assert body_of("-", *options, given=json.dumps(file)) == answer
+
+
+def test_collide_has_an_option_for_every_member_of_a_body():
+    members = {
+        *(f"body_{i}.{member}" for i in (1, 2) for member in annotations(Sphere)),
+        *(member for member in annotations(Contact)),
+        *(f"impact.{member}" for kind in TOLD_BY for member in annotations(kind)),
+    }
+    told = {".".join(option.path) for option in OPTIONS}
+    assert members - told == {"body_1", "body_2", "body_1.wall", "body_2.wall"}
+    assert len({option.name for option in OPTIONS}) == len(OPTIONS)
+
+
+REFUSED = [
+    (["--radius", "2 cm"], {"body_1": SPHERE | {"radius_m": "2 cm"}}),
+    (["--friction", "-1", "--wall"], {"friction_coefficient": -1.0}),
+    (["--normal-restitution", "0.9", "--dissipative-constant", "0"],
+     {"normal_restitution": 0.9, "dissipative_constant_s": 0.0}),
+    (["--speed", "1", "--angle", "90"], {"impact": {"speed_m_s": 1.0, "angle_deg": 90.0}}),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("arguments", "change"), REFUSED)
+def test_collide_refuses_in_the_words_of_the_service(service, arguments, change):
+    detail = service.problem(service.post(BODY | change, path="/scaling"), 422)["detail"]
+    done = run("collide", "-", *arguments, given=json.dumps(BODY))
+    assert done.exit_code != 0
+    assert done.stderr.removeprefix("Error: ").strip().split("\n") == detail.split("; ")
+
+
+def test_walton_prints_the_smallest_kappa_and_says_that_there_are_others():
+    done = run("walton", "1")
+    assert "0.95303" in done.stdout
+    assert "others have it as well" in done.stdout
+    assert run("walton", "-0.4").stdout.startswith("kappa      0.1297")
+    assert "beta_0 must be from -1 to 1, got 2.0" in run("walton", "2").stderr
 
 
 @pytest.mark.parametrize(

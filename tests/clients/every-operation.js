@@ -45,6 +45,7 @@ const answers = {
   velocity_map: await client.POST("/api/v1/scaling/map", {
     body: { ...contact, normal_velocity_m_s: velocities, tangential_velocity_m_s: velocities },
   }),
+  walton: await client.GET("/api/v1/walton", { params: { query: { beta_0: 0.4 } } }),
   materials: await client.GET("/api/v1/materials"),
   table: await client.GET("/api/v1/table", {
     params: { query: { kappa_count: 5, psi_count: 4 } },

@@ -45,11 +45,14 @@ def real() -> None:
     assert 0 < found.contact_duration_s < 1e-3
     speeds: rs.VelocityMap = contact.map(rs.Axis(1, 20, 4), rs.Axis(0, 10, 3), tolerance=1e-3)
     assert speeds.to_xarray().kappa.dims == ("normal_velocity_m_s",)
-    told: tuple[rs.Velocities, rs.Impact] = (
+    told: tuple[rs.Velocities, rs.Impact, rs.SpeedAndAngle] = (
         rs.Velocities(1.0, 0.5),
         rs.Impact((0.5, 0, -1), (0, 0, 0), normal=(0, 0, 1)),
+        rs.SpeedAndAngle(speed_m_s=3.9, angle_deg=30),
     )
     assert told[1].spin_1_rad_s == (0, 0, 0)
+    rough: rs.WaltonStudy = rs.walton(beta_0=1)
+    assert rough.kappa < min(rough.others)
     material: rs.Material = rs.MATERIALS["steel"]
     assert material.contact.friction_coefficient > 0
 

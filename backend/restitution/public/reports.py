@@ -10,6 +10,7 @@ from restitution.studies.accuracy.tradeoff import Measurement, stored_measuremen
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.dampings import damping_told
 from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.spheres.walton import WaltonStudy, study_walton
 from restitution.studies.tables.export import RestitutionTable, study_table_as_wanted
 from restitution.studies.tables.grid import Sign
 
@@ -113,6 +114,35 @@ def steps(
     if region and kappa is mu_over_alpha is gt_over_gn is None:
         return study_steps(error, region)
     raise ParameterError("region", region, "given, or else kappa, mu_over_alpha and gt_over_gn")
+
+
+def walton(beta_0: float) -> WaltonStudy:
+    """Return the smallest κ whose undamped collisions have a β₀ of Walton's model.
+
+    As ``GET /walton``. For κ → β₀ see `ScalingStudy.walton_beta_0`.
+
+    Parameters
+    ----------
+    beta_0 : float
+        −ε_t for ψ → 0, a pure number: −1 smooth spheres, +1 gear wheels.
+
+    Returns
+    -------
+    WaltonStudy
+        κ of Eq. 24, from 0 to 0.953, and the next larger ones that have it as well: there is no
+        end of them.
+
+    Raises
+    ------
+    ParameterError
+        If it is out of range.
+
+    Examples
+    --------
+    >>> round(walton(1.0).kappa, 5)
+    0.95304
+    """
+    return study_walton(beta_0)
 
 
 def tradeoff(scene: SceneName = "figure4") -> Measurement:

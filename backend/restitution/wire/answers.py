@@ -14,7 +14,7 @@ from typing_extensions import TypeAliasType, TypedDict
 
 from restitution.bounds import annotations
 from restitution.methods.answer import AnsweringMethod
-from restitution.methods.options import OneMethod, Options
+from restitution.methods.options import NormalRestitution, OneMethod, Options
 from restitution.paper import Correction, Item
 from restitution.quantities import QUANTITIES
 from restitution.studies.accuracy.scenes import SceneName
@@ -24,8 +24,9 @@ from restitution.studies.collision.one import CollisionStudy
 from restitution.studies.collision.parameters import CollisionParameters, Convention
 from restitution.studies.collision.presets import Preset
 from restitution.studies.spheres import materials
+from restitution.studies.spheres.bodies import NotNegative, Positive
 from restitution.studies.spheres.collision import ScalingStudy
-from restitution.studies.spheres.contact import Contact
+from restitution.studies.spheres.contact import DISSIPATION, Contact
 
 MixedMethod = TypeAliasType("MixedMethod", Literal[OneMethod, "mixed"])
 
@@ -228,7 +229,12 @@ Material = _described(
     "A body of ``/scaling`` with a name; `measured` where impacts were.",
     {name: kind for name, kind in annotations(materials.Material).items() if name != "contact"},
     annotations(Contact),
-    {"measured": NotRequired[materials.Measured]},
+    {
+        "dissipative_constant_s": Annotated[NotNegative, DISSIPATION],
+        "normal_restitution": NotRequired[NormalRestitution],
+        "at_normal_velocity_m_s": NotRequired[Positive],
+        "measured": NotRequired[materials.Measured],
+    },
 )
 
 

@@ -21,6 +21,7 @@ from restitution.studies.collision.parameters import GtOverGn, Kappa, MuOverAlph
 from restitution.studies.spheres.bodies import NotNegative, Positive
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import AnyImpact
+from restitution.studies.spheres.velocity_map import one_velocity_missing
 from restitution.wire.arrays import MOST_ITEMS, number_array
 from restitution.wire.parsing import parse_lists
 from restitution.wire.reading import adapter, entries
@@ -99,6 +100,7 @@ class VelocityMapBody(Labels, Contact):
     def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
         """Yield what is wrong with the bodies and the ends beside each other."""
         yield from Contact.misfits(given)
+        yield from one_velocity_missing(given)
         for name in (NORMAL, TANGENTIAL):
             if isinstance(ends := given.get(name), Mapping):
                 low, high = as_float(ends.get("min")), as_float(ends.get("max"))

@@ -23,6 +23,7 @@ from restitution.studies.collision.parameters import (
     Kappa,
     MuOverAlpha,
 )
+from restitution.studies.spheres.walton import Beta0
 from restitution.studies.tables.grid import Sign
 from restitution.wire.damped import Damped
 from restitution.wire.formats import CsvOptions
@@ -325,6 +326,13 @@ class SceneQuery(NoQuery):
 @closed
 class TradeoffQuery(SceneQuery, FormQuery):
     """``GET /tradeoff``."""
+
+
+@closed
+class WaltonQuery(FormQuery):
+    """``GET /walton``."""
+
+    beta_0: Beta0
 
 
 @closed

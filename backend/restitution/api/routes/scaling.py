@@ -12,11 +12,12 @@ from restitution.studies.spheres.collision import study_scaling
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.materials import MATERIALS, Material
 from restitution.studies.spheres.velocity_map import study_velocity_map
+from restitution.studies.spheres.walton import WaltonStudy, study_walton
 from restitution.wire import answers
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.bodies import ScalingBody, VelocityMapBody
 from restitution.wire.formats import Payload, Result
-from restitution.wire.queries import NoQuery
+from restitution.wire.queries import NoQuery, WaltonQuery
 from restitution.wire.results import batch_payload, scaling_result
 
 calls = Calls("real spheres")
@@ -26,7 +27,7 @@ def _as_body(contact: Contact) -> dict[str, Any]:
     """Return a contact as a body of `/scaling` says it, without what its bodies do not have."""
     return {
         name: _there(vars(value)) if is_dataclass(value) else value
-        for name, value in values(contact).items()
+        for name, value in _there(values(contact)).items()
     }
 
 
@@ -94,6 +95,21 @@ def velocity_map(body: VelocityMapBody) -> Result:
             **study.batch.columns,
         },
     )
+
+
+@calls.computed(
+    "/walton",
+    WaltonQuery,
+    WaltonStudy,
+    "From Walton's β₀ to κ",
+    example={"beta_0": 0.4},
+    quick=lambda _: True,
+)
+def walton(query: WaltonQuery) -> Result:
+    """Return the smallest κ whose undamped collisions have a β₀, and the next larger ones."""
+    study = study_walton(query.beta_0)
+    kappas = [study.kappa, *study.others]
+    return Result(vars(study), lambda: {"kappa": kappas, "beta_0": [study.beta_0] * len(kappas)})
 
 
 @calls.stored("/materials", NoQuery, answers.Materials, "Real bodies")

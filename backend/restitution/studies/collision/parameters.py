@@ -5,7 +5,7 @@ from typing import Annotated
 
 from annotated_types import Ge, Gt
 
-from restitution.bounds import Meaning, annotations, checked, interval, requirement
+from restitution.bounds import Meaning, Words, annotations, checked, interval, requirement
 from restitution.errors import require
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import psi_of
@@ -14,7 +14,8 @@ from restitution.quantities import QUANTITIES
 
 Kappa = Annotated[float, Gt(0), QUANTITIES["kappa"]]
 MuOverAlpha = Annotated[float, Ge(0), QUANTITIES["mu_over_alpha"]]
-GtOverGn = Annotated[float, Ge(0), QUANTITIES["gt_over_gn"]]
+SIGN_IS_NOTHING = Words("finite and ≥ 0: ε_t does not depend on the sign")
+GtOverGn = Annotated[float, Ge(0), QUANTITIES["gt_over_gn"], SIGN_IS_NOTHING]
 
 CONVENTION = (
     "epsilon_t = g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels "

@@ -7,19 +7,33 @@ from typing import Annotated
 from restitution.bounds import Meaning
 from restitution.methods.answer import AnsweringMethod, EpsilonT, ErrorBound, ToleranceMet
 from restitution.methods.options import Options
-from restitution.studies.collision.one import study_collision
+from restitution.studies.collision.one import CollisionStudy, study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
 from restitution.studies.spheres.impact import (
     After,
     Crossing,
     Impact,
+    SpeedAndAngle,
     Velocities,
     after_impact,
     contact_velocity,
 )
 from restitution.studies.spheres.turning import turned
 from restitution.studies.spheres.validity import Caution, cautions
+from restitution.studies.spheres.walton import walton_beta_0
+
+CENTRE = (
+    "1 - alpha (1 - epsilon_t), the tangential velocity of the centres after over before, without "
+    "spin before"
+)
+IMPULSE = "tangential over normal impulse, the friction coefficient where it slides throughout"
+WALTON = "-epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels"
+
+CONVENTIONS = (
+    f"{CONVENTION}; centre_restitution = {CENTRE}; impulse_ratio = {IMPULSE}; "
+    f"walton_beta_0 = {WALTON}"
+)
 
 
 @dataclass(frozen=True)
@@ -52,6 +66,7 @@ class ScalingStudy:
     effective_radius_m: float
     effective_modulus_pa: float
     tangential_stiffness_n_per_m: float
+    dissipative_constant_s: Annotated[float, Meaning("A of Eq. 1")]
     normal_velocity_m_s: float
     tangential_velocity_m_s: float
     time_scale_s: float
@@ -61,6 +76,11 @@ class ScalingStudy:
     maximum_normal_force_n: float
     epsilon_n: float
     epsilon_t: EpsilonT
+    centre_restitution: Annotated[float, Meaning(CENTRE)]
+    impulse_ratio: Annotated[float, Meaning(IMPULSE)]
+    walton_beta_0: Annotated[
+        float | None, Meaning(f"{WALTON}; null where double precision does not hold it")
+    ]
     switches: int | None
     after: After | None
     warnings: Annotated[list[Caution], Meaning("where the collision leaves the model")]
@@ -71,7 +91,9 @@ class ScalingStudy:
 
 
 def study_scaling(
-    contact: Contact, impact: Velocities | Impact, options: Options | None = None
+    contact: Contact,
+    impact: Velocities | SpeedAndAngle | Impact,
+    options: Options | None = None,
 ) -> ScalingStudy:
     """Return what comes out of a collision of real bodies.
 
@@ -79,7 +101,7 @@ def study_scaling(
     ----------
     contact : Contact
         Bodies, friction, stiffness.
-    impact : Velocities or Impact
+    impact : Velocities, SpeedAndAngle or Impact
         The velocity at the point of contact, or the motion of both bodies.
     options : Options, optional
         Method and tolerance.
@@ -97,6 +119,8 @@ def study_scaling(
     >>> round(study.kappa), round(1e6 * study.contact_duration_s, 1)
     (11225, 66.1)
     """
+    if isinstance(impact, SpeedAndAngle):
+        impact = impact.velocities
     if isinstance(impact, Velocities):
         approach, g_n, g_t = None, impact.normal_velocity_m_s, impact.tangential_velocity_m_s
         # of bodies that do not spin
@@ -129,6 +153,7 @@ def study_scaling(
         effective_radius_m=at.pair.effective_radius_m,
         effective_modulus_pa=at.pair.effective_modulus_pa,
         tangential_stiffness_n_per_m=at.tangential_stiffness_n_per_m,
+        dissipative_constant_s=at.dissipative_constant_s,
         normal_velocity_m_s=g_n,
         tangential_velocity_m_s=g_t,
         time_scale_s=at.time_scale_s,
@@ -138,11 +163,27 @@ def study_scaling(
         maximum_normal_force_n=at.maximum_normal_force_n,
         epsilon_n=found.epsilon_n,
         epsilon_t=found.epsilon_t,
+        centre_restitution=1.0 - at.pair.alpha * (1.0 - found.epsilon_t),
+        impulse_ratio=impulse_ratio(contact.friction_coefficient, at.pair.alpha, found),
+        walton_beta_0=walton_beta_0(at.kappa, at.damping),
         switches=found.switches,
         after=after,
         warnings=cautions(contact, at, let_turn, g_t),
         method=found.method,
         error_bound=found.error_bound,
         tolerance_met=found.tolerance_met,
-        convention=CONVENTION,
+        convention=CONVENTIONS,
     )
+
+
+def impulse_ratio(friction_coefficient: float, alpha: float, found: CollisionStudy) -> float:
+    """Return the tangential impulse over the normal one, from 0 to μ.
+
+    α(1 − ε_t) g_t over (1 + ε_n) g_n (Eqs. 13, 14): of its digits, 1 − ε_t keeps those above
+    1e-16 ψ. Where a contact slides throughout it is μ by Coulomb's law.
+    """
+    parameters = found.parameters
+    if found.switches == 0 and parameters.gt_over_gn > 0.0:
+        return friction_coefficient
+    slowed = alpha * (1.0 - found.epsilon_t) / (1.0 + found.epsilon_n)
+    return min(slowed * parameters.gt_over_gn, friction_coefficient)

@@ -11,12 +11,14 @@ from restitution.errors import ParameterError
 from restitution.mechanics.contact import (
     MOST_DAMPING,
     contact_duration,
+    damping_of,
     largest_compression,
     largest_force,
 )
 from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
-from restitution.methods.options import Options
+from restitution.methods.options import NormalRestitution, Options
 from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.dampings import told_twice
 from restitution.studies.spheres.bodies import Body, NotNegative, Pair, Positive, pair, two_walls
 from restitution.studies.spheres.impact import made_impact
 from restitution.studies.spheres.powers import product_of_powers, representable
@@ -24,6 +26,9 @@ from restitution.studies.spheres.powers import product_of_powers, representable
 if TYPE_CHECKING:
     from restitution.studies.spheres.collision import ScalingStudy
     from restitution.studies.spheres.velocity_map import VelocityMap
+
+DISSIPATION = Meaning("A of Eq. 1; 0 if left out")
+AT_VELOCITY = Meaning("where normal_restitution holds; the velocity of the impact if left out")
 
 SMALLEST = math.ulp(0.0)
 """Stands for positive quantities that underflow where any tiny value gives the same collision."""
@@ -40,8 +45,12 @@ class Contact:
         μ.
     tangential_stiffness_n_per_m : float or ``"mindlin"``
         k_t, or Mindlin's 8 G* a at the largest undamped compression.
-    dissipative_constant_s : float
-        A of Eq. 1.
+    dissipative_constant_s : float or None
+        A of Eq. 1; 0 if nothing is said of it.
+    normal_restitution : float or None
+        ε_n in its place, 0 < ε_n ≤ 1.
+    at_normal_velocity_m_s : float or None
+        g_n at which that holds; that of the impact if nothing is said of it.
 
     Raises
     ------
@@ -64,12 +73,22 @@ class Contact:
         Words("finite and > 0, or mindlin"),
         Meaning("mindlin: 8G*a at the largest undamped compression"),
     ]
-    dissipative_constant_s: NotNegative = 0.0
+    dissipative_constant_s: Annotated[NotNegative, DISSIPATION] | None = None
+    normal_restitution: NormalRestitution | None = None
+    at_normal_velocity_m_s: Annotated[Positive, AT_VELOCITY] | None = None
 
     @staticmethod
     def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
-        """Yield what is wrong with the bodies beside each other."""
+        """Yield what is wrong with the bodies beside each other, and with the damping."""
         yield from two_walls(given)
+        yield from told_twice(given, "dissipative_constant_s")
+        if "at_normal_velocity_m_s" in given and "normal_restitution" not in given:
+            yield "at_normal_velocity_m_s", "left out: it is said of normal_restitution"
+
+    @property
+    def is_damped(self) -> bool:
+        """Whether the normal motion loses energy."""
+        return bool(self.dissipative_constant_s) or self.normal_restitution not in (None, 1.0)
 
     @functools.cached_property
     def pair(self) -> Pair:
@@ -84,7 +103,8 @@ class Contact:
         tolerance : float, optional
             Largest absolute error wanted in ε_t.
         **how
-            Members of `Velocities`, or of `Impact`: then there are velocities and spins after it.
+            Members of `Velocities`, of `SpeedAndAngle`, or of `Impact`: then there are velocities
+            and spins after it.
 
         Returns
         -------
@@ -168,8 +188,8 @@ class Scales:
         Eq. 21.
     kappa : float
         Eq. 24, with α in it.
-    damping : float
-        η = (3/2) A β^{2/5} g_n^{1/5}.
+    damping, dissipative_constant_s : float
+        η = (3/2) A β^{2/5} g_n^{1/5}, and A.
     tangential_stiffness_n_per_m, mindlin_stiffness_n_per_m : float
         k_t as used, and 8 G* a at the largest undamped compression.
     contact_duration_s, maximum_compression_m, maximum_normal_force_n : float
@@ -183,6 +203,7 @@ class Scales:
     length_scale_m: float
     kappa: float
     damping: float
+    dissipative_constant_s: float
     tangential_stiffness_n_per_m: float
     mindlin_stiffness_n_per_m: float
     contact_duration_s: float
@@ -255,19 +276,7 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
     kappa = product_of_powers(
         (stiffness, 10), (both.alpha, -10), (mass, -10), (beta, -8), (g_n, -4)
     )
-    damping = 0.0
-    if contact.dissipative_constant_s > 0.0:
-        product = product_of_powers(
-            (1.5, 10), (contact.dissipative_constant_s, 10), (beta, 4), (g_n, 2)
-        )
-        damping = max(product, SMALLEST)
-        if not math.isfinite(damping):
-            held("damping", damping, f"the dissipative constant, {EVERYTHING}")
-        if damping > MOST_DAMPING:
-            requirement = f"smaller: with damping = {damping:.3g} the contact is not followed"
-            raise ParameterError(
-                "dissipative_constant_s", contact.dissipative_constant_s, requirement
-            )
+    damping, dissipation = _damped(contact, beta, g_n) if contact.is_damped else (0.0, 0.0)
     force = product_of_powers((largest_force(damping), 10), (mass, 10), (beta, 4), (g_n, 12))
     return Scales(
         pair=both,
@@ -277,9 +286,45 @@ def scales(contact: Contact, normal_velocity: float) -> Scales:
         length_scale_m=length,
         kappa=held("kappa", kappa, f"the tangential stiffness, {EVERYTHING}"),
         damping=damping,
+        dissipative_constant_s=dissipation,
         tangential_stiffness_n_per_m=stiffness,
         mindlin_stiffness_n_per_m=mindlin,
         contact_duration_s=held("contact_duration_s", contact_duration(damping) * time),
         maximum_compression_m=held("maximum_compression_m", largest_compression(damping) * length),
         maximum_normal_force_n=held("maximum_normal_force_n", force),
     )
+
+
+def _damped(contact: Contact, beta: float, g_n: float) -> tuple[float, float]:
+    """Return η at a normal velocity and A, which is told by ε_n or itself.
+
+    Raises
+    ------
+    ParameterError
+        If one of them is beyond double precision, or η beyond what is followed.
+    """
+    told = "dissipative_constant_s"
+    dissipation = contact.dissipative_constant_s
+    if contact.normal_restitution is not None:
+        told = "normal_restitution"
+        there = contact.at_normal_velocity_m_s or g_n
+        at_velocity = damping_of(contact.normal_restitution)
+        damping = product_of_powers((at_velocity, 10), (g_n, 2), (there, -2))
+        dissipation = representable(
+            "dissipative_constant_s",
+            product_of_powers((1.5, -10), (at_velocity, 10), (beta, -4), (there, -2)),
+            f"the normal restitution, {EVERYTHING}",
+        )
+        if there == g_n:
+            damping = at_velocity
+    else:
+        assert dissipation is not None
+        damping = product_of_powers((1.5, 10), (dissipation, 10), (beta, 4), (g_n, 2))
+    damping = max(damping, SMALLEST)
+    if not math.isfinite(damping):
+        representable("damping", damping, f"the dissipative constant, {EVERYTHING}")
+    if damping > MOST_DAMPING:
+        change = "smaller" if told == "dissipative_constant_s" else "larger"
+        requirement = f"{change}: with damping = {damping:.3g} the contact is not followed"
+        raise ParameterError(told, getattr(contact, told), requirement)
+    return damping, dissipation

@@ -5,12 +5,13 @@ from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
-from annotated_types import Gt
+from annotated_types import Ge, Gt, Lt
 
 from restitution.bounds import Choice, Meaning, Misfit, Words, annotations, checked
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
-from restitution.studies.spheres.bodies import NotNegative, Pair
+from restitution.studies.collision.parameters import SIGN_IS_NOTHING
+from restitution.studies.spheres.bodies import NotNegative, Pair, Positive
 from restitution.studies.spheres.powers import representable
 
 Vector = tuple[float, float, float]
@@ -29,7 +30,51 @@ class Velocities:
     """
 
     normal_velocity_m_s: Annotated[float, Gt(0), Words("finite and > 0: the bodies approach")]
-    tangential_velocity_m_s: NotNegative
+    tangential_velocity_m_s: Annotated[NotNegative, SIGN_IS_NOTHING]
+
+
+@checked
+class SpeedAndAngle:
+    """An impact by speed and angle at the point of contact, without spin those of the centre.
+
+    g_n and g_t are speed × cosine and sine of the angle.
+
+    Examples
+    --------
+    >>> SpeedAndAngle(speed_m_s=3.9, angle_deg=30.0).velocities.tangential_velocity_m_s
+    1.95
+    """
+
+    speed_m_s: Annotated[Positive, Words("finite and > 0: the bodies approach")]
+    angle_deg: Annotated[
+        float,
+        Ge(0),
+        Lt(90),
+        Words("≥ 0 and < 90, from the normal: ε_t does not depend on the sign"),
+    ]
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield what tells the velocity a second time."""
+        for name in annotations(Velocities):
+            if name in given:
+                yield name, "left out, as speed_m_s and angle_deg tell it"
+
+    @property
+    def velocities(self) -> Velocities:
+        """The same by g_n and g_t.
+
+        Raises
+        ------
+        ParameterError
+            If g_n is beyond double precision.
+        """
+        # near 90° by what is left to it, so that g_n keeps its digits
+        normal = self.speed_m_s * math.sin(math.radians(90.0 - self.angle_deg))
+        tangential = self.speed_m_s * math.sin(math.radians(self.angle_deg))
+        return Velocities(
+            representable("normal_velocity_m_s", normal, "speed and angle"), tangential
+        )
 
 
 @checked
@@ -55,20 +100,24 @@ class Impact:
         """Yield that there is no normal, or two impacts in one."""
         if given.get("normal") in ([0, 0, 0], (0, 0, 0)):
             yield "normal", "of a length > 0, from body 2 to body 1"
-        for name in annotations(Velocities):
+        for name in (*annotations(Velocities), *annotations(SpeedAndAngle)):
             if name in given:
                 yield name, "left out, as velocities are given"
 
 
-def _kind(given: Mapping[str, Any]) -> type:
-    return Impact if annotations(Impact).keys() & given.keys() else Velocities
+TOLD_BY = Impact, SpeedAndAngle, Velocities
 
 
-def made_impact(members: Mapping[str, Any]) -> "Velocities | Impact":
+def kind_of_impact(given: Mapping[str, Any]) -> type:
+    """Return the class that an impact is told by."""
+    return next((kind for kind in TOLD_BY if annotations(kind).keys() & given.keys()), Velocities)
+
+
+def made_impact(members: Mapping[str, Any]) -> "Velocities | SpeedAndAngle | Impact":
     """Return the impact that some members tell."""
-    kind = _kind(members)
+    kind = kind_of_impact(members)
     try:
-        made: Velocities | Impact = kind(**members)
+        made: Velocities | SpeedAndAngle | Impact = kind(**members)
     except TypeError as error:
         names = ", ".join(annotations(kind))
         raise ParameterError("impact", sorted(members), f"told by {names}") from error
@@ -76,11 +125,11 @@ def made_impact(members: Mapping[str, Any]) -> "Velocities | Impact":
 
 
 AnyImpact = Annotated[
-    Velocities | Impact,
-    Choice(_kind),
+    Velocities | SpeedAndAngle | Impact,
+    Choice(kind_of_impact),
     Words(
-        "an object with normal_velocity_m_s and tangential_velocity_m_s, or with velocity_1_m_s, "
-        "velocity_2_m_s, spin_1_rad_s, spin_2_rad_s, normal"
+        "an object with normal_velocity_m_s and tangential_velocity_m_s, with speed_m_s and "
+        "angle_deg, or with velocity_1_m_s, velocity_2_m_s, spin_1_rad_s, spin_2_rad_s, normal"
     ),
 ]
 
@@ -141,7 +190,9 @@ def _surface_velocities(impact: Impact, both: Pair) -> tuple[FloatArray, FloatAr
         if math.isinf(both.radii_m[i - 1]):
             if np.any(turning):
                 raise ParameterError(
-                    f"impact.spin_{i}_rad_s", list(spin), "0 or left out: a wall does not turn"
+                    f"impact.spin_{i}_rad_s",
+                    list(spin),
+                    "0 or left out: a wall does not turn; put ω × r into its velocity",
                 )
             found.append(turning)
             continue

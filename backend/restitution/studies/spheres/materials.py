@@ -121,7 +121,7 @@ _ALL = (
     Material(
         "steel",
         "Steel spheres of Fig. 2",
-        Contact(_STEEL, _STEEL, 0.4, 1e12),
+        Contact(_STEEL, _STEEL, 0.4, 1e12, 0.0),
         Velocities(20.0, 5.0),
         f"{PAPER}: caption of Fig. 2",
         "the impact is ours, within the range of the figure; k_t is that of the caption, 2,500 to "
@@ -130,7 +130,7 @@ _ALL = (
     Material(
         "steel-mindlin",
         "The same steel, Mindlin's stiffness",
-        Contact(_STEEL, _STEEL, 0.4, "mindlin"),
+        Contact(_STEEL, _STEEL, 0.4, "mindlin", 0.0),
         Velocities(1.0, 0.5),
         f"{PAPER}: caption of Fig. 2; R. D. Mindlin, J. Appl. Mech. 16, 259 (1949)",
         "the stiffness is not the paper's, and the impact is ours: at its 20 m/s steel flows",
@@ -143,6 +143,7 @@ _ALL = (
             Wall(7e10, 0.25),
             0.092,
             "mindlin",
+            0.0,
         ),
         Velocities(3.37, 1.96),
         KHARAZ,
@@ -155,7 +156,7 @@ _ALL = (
     Material(
         "glass-on-glass",
         "Glass on glass, 3 mm",
-        Contact(_GLASS, _GLASS, 0.092, "mindlin"),
+        Contact(_GLASS, _GLASS, 0.092, "mindlin", 0.0),
         Velocities(1.0, 0.3),
         FOERSTER,
         "only the friction is from this source, as others quote it; density and elastic constants "
@@ -166,7 +167,7 @@ _ALL = (
     Material(
         "acetate-on-acetate",
         "Cellulose acetate, 6 mm",
-        Contact(_ACETATE, _ACETATE, 0.25, "mindlin"),
+        Contact(_ACETATE, _ACETATE, 0.25, "mindlin", 0.0),
         Velocities(1.0, 0.6),
         FOERSTER,
         "only the friction is from this source, as others quote it; density and elastic constants "

@@ -1,10 +1,13 @@
 """ε_t of real bodies over normal and tangential velocity in m/s: the paper's Figs. 1 and 2."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
+from restitution.bounds import Misfit, values
+from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
@@ -74,6 +77,15 @@ class VelocityMap(Tabular):
         )
 
 
+def one_velocity_missing(given: Mapping[str, Any]) -> Iterator[Misfit]:
+    """Yield that a normal restitution holds at one velocity, of which a map has many."""
+    if given.get("normal_restitution") is not None and given.get("at_normal_velocity_m_s") is None:
+        yield (
+            "at_normal_velocity_m_s",
+            "given beside normal_restitution, which holds at one velocity",
+        )
+
+
 def study_velocity_map(
     contact: Contact,
     normal_velocity: Axis,
@@ -103,7 +115,9 @@ def study_velocity_map(
     """
     normal = normal_velocity.values(positive=True)
     tangential = tangential_velocity.values(positive=False)
-    if contact.dissipative_constant_s > 0.0:
+    for name, words in one_velocity_missing(values(contact)):
+        raise ParameterError(name, None, words)
+    if contact.is_damped:
         # η goes with g_n^{1/5}; before the scales, which take ten times as long as the motions
         refuse_more_dampings(normal.size)
     steps = [scales(contact, g_n) for g_n in normal.tolist()]
