@@ -12,6 +12,7 @@ from restitution.studies.spheres.collision import ScalingStudy, study_scaling
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import formed
 from restitution.wire.impact_options import OPTIONS, told_body
+from restitution.wire.neighbours import neighbour
 from restitution.wire.parsing import parse_nested
 from restitution.wire.reading import read_object
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
@@ -34,7 +35,23 @@ def _with_options(command: Command) -> Command:
     return command
 
 
-@click.command()
+class _Command(click.Command):
+    """Names the option that a wrong one was perhaps meant for."""
+
+    def parse_args(self, context: click.Context, arguments: list[str]) -> list[str]:
+        """Parse as ever."""
+        try:
+            return super().parse_args(context, arguments)
+        except click.NoSuchOption as wrong:
+            names = {option.path[-1]: option.name for option in reversed(OPTIONS)}
+            if not (meant := neighbour(wrong.option_name.lstrip("-"), names)):
+                raise
+            # of possibilities click names only those that are spelt alike
+            words = f"{wrong.message} Did you mean {names[meant]!r}?"
+            raise click.NoSuchOption(wrong.option_name, words, None, context) from wrong
+
+
+@click.command(cls=_Command)
 @click.argument("file", type=click.File("rb"), required=False)
 @_with_options
 @click.option("--wall", is_flag=True, help="The second body is a wall, not a sphere.")

@@ -12,11 +12,9 @@ from restitution.bounds import Meaning, annotations, plain, requirement, said
 from restitution.studies.spheres.bodies import Moment, Sphere, Wall
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import TOLD_BY, kind_of_impact
+from restitution.wire.neighbours import stem
 
 Json = dict[str, Any]
-
-UNITS = ("_kg_m3", "_kg_m2", "_n_per_m", "_m_s", "_rad_s", "_pa", "_kg", "_deg", "_m", "_s")
-"""Ends of names that options do without."""
 
 SHORT = {"friction_coefficient": "friction", "tangential_stiffness": "stiffness"}
 
@@ -42,8 +40,7 @@ class Told(NamedTuple):
 
 
 def _told(annotation: Any, *path: str, second: bool = False) -> Told:
-    unit = next((each for each in UNITS if path[-1].endswith(each)), "")
-    short = path[-1].removesuffix(unit)
+    short = stem(path[-1])
     name = "--" + SHORT.get(short, short).replace("_", "-") + ("-2" if second else "")
     meaning = said(annotation, Meaning)
     words = f"{meaning.text}; {requirement(annotation)}" if meaning else requirement(annotation)

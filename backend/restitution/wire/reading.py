@@ -4,6 +4,7 @@ pydantic reads, by the annotations of the dataclass; the words come from `bounds
 """
 
 import functools
+import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import is_dataclass
 from typing import Any, TypeVar, get_args
@@ -12,16 +13,21 @@ from pydantic import TypeAdapter, ValidationError
 
 from restitution.bounds import Choice, Words, annotations, members, plain, requirement, said
 from restitution.errors import ParameterError
+from restitution.wire.neighbours import names_within, neighbour
 from restitution.wire.parsing import TOO_DEEP, parse_nested
 from restitution.wire.refusals import (
     UNKNOWN,
     MalformedBodyError,
     RefusedParametersError,
     refusal,
+    unknown,
 )
 
 Read = TypeVar("Read")
 Entry = dict[str, Any]
+
+MOST_NEIGHBOURS = 5
+"""Unknown parameters of a request for which it is looked what they were meant for."""
 
 
 adapter: Callable[[Any], TypeAdapter[Any]] = functools.cache(TypeAdapter)
@@ -92,7 +98,9 @@ def _with(errors: list[Entry], more: Iterator[Entry]) -> list[Entry]:
     """Return errors and more of them; a rule knows better why a member is to be left out."""
     reasons = {entry["parameter"]: entry for entry in more}
     joined = [
-        reasons.pop(error["parameter"], error) if error["requirement"] == UNKNOWN else error
+        reasons.pop(error["parameter"], error)
+        if error["requirement"].startswith(UNKNOWN)
+        else error
         for error in errors
     ]
     named = {error["parameter"].partition("[")[0] for error in joined}
@@ -103,16 +111,27 @@ def entries(of: Any, given: Any, error: ValidationError) -> list[Entry]:
     """Return an entry for each member that pydantic refused."""
     found: dict[str, Entry] = {}
     objects = set()
+    strangers = itertools.count()
     for each in error.errors(include_url=False):
         if isinstance(each.get("ctx", {}).get("error"), ParameterError):
             # members that do not suit each other: `_misfits` tells them, with the others
             continue
         name, value, words = _located(of, given, each["loc"], each["type"])
+        if words == UNKNOWN and next(strangers) < MOST_NEIGHBOURS:
+            words = unknown(_neighbour(of, name))
         found.setdefault(name, refusal(name, value, words))
         if len(each["loc"]) > 1:
             objects.add(name.rpartition(".")[0])
     # of a union that is refused as a word and as an object, the object tells more
     return [entry for name, entry in found.items() if name not in objects]
+
+
+def _neighbour(of: Any, name: str) -> str | None:
+    """Return what a member was perhaps meant for: one of the same object, or of the whole."""
+    place, _, last = name.rpartition(".")
+    names = names_within(of)
+    beside = [each for each in names if each.rpartition(".")[0] == place]
+    return neighbour(last, beside) or neighbour(last, names)
 
 
 def _located(of: Any, given: Any, path: tuple[int | str, ...], kind: str) -> tuple[str, Any, str]:

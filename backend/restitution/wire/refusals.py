@@ -14,6 +14,7 @@ MOST_ERRORS = 100
 """Entries of a refusal; a refusal is for reading."""
 
 UNKNOWN = "left out: this call has no such parameter"
+"""May be followed by what was perhaps meant."""
 
 
 DECIMAL_COMMA = re.compile(r"[+-]?\d+,\d+(e[+-]?\d+)?", re.IGNORECASE)
@@ -63,7 +64,14 @@ class MalformedBodyError(Exception):
     """What was sent is not the JSON object that it should be."""
 
 
+def unknown(meant: str | None) -> str:
+    """Return what holds for a parameter that there is not."""
+    return f"{UNKNOWN}; did you mean {meant}?" if meant else UNKNOWN
+
+
 def _sentence(parameter: str, value: object, requirement: str) -> str:
+    if requirement.startswith(UNKNOWN):
+        return f"no such parameter: {parameter}{requirement.removeprefix(UNKNOWN)}"
     if value is None:
         return f"{parameter} is missing; it must be {requirement}"
     return f"{parameter} must be {requirement}, got {value}"
