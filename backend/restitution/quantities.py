@@ -80,6 +80,17 @@ QUANTITIES = {
     "velocity_2_m_s": Quantity("velocity of body 2", "v_2", "m/s"),
     "spin_1_rad_s": Quantity("angular velocity of body 1", "ω_1", "rad/s"),
     "spin_2_rad_s": Quantity("angular velocity of body 2", "ω_2", "rad/s"),
+    "dissipative_constant_s": Quantity("dissipative constant of Eq. 1", "A", "s"),
+    "centre_restitution": Quantity(
+        "1 - alpha (1 - epsilon_t), the tangential velocity of the centres after over before, "
+        "without spin before",
+        "e_c",
+    ),
+    "impulse_ratio": Quantity(
+        "tangential over normal impulse, the friction coefficient where it slides throughout"
+    ),
+    "walton_beta_0": Quantity("-epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels", "β_0"),
+    "beta_0": Quantity("of Walton's model, -1 smooth spheres, +1 gear wheels", "β_0"),
     # of methods on many collisions
     "tolerance": Quantity("largest absolute error of ε_t wanted"),
     "phase": Quantity("where in a time step the contact begins"),

@@ -1149,7 +1149,7 @@ export interface components {
             tangential_stiffness_n_per_m: number;
             /**
              * Dissipative Constant S
-             * @description A of Eq. 1
+             * @description dissipative constant of Eq. 1
              */
             dissipative_constant_s: number;
             /** Normal Velocity M S */
@@ -1185,7 +1185,7 @@ export interface components {
             impulse_ratio: number;
             /**
              * Walton Beta 0
-             * @description -epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels; null where double precision does not hold it
+             * @description -epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels
              */
             walton_beta_0: number | null;
             /** Switches */
@@ -1600,7 +1600,7 @@ export interface components {
         WaltonStudy: {
             /**
              * Beta 0
-             * @description Walton's β₀: -1 smooth spheres, +1 gear wheels
+             * @description of Walton's model, -1 smooth spheres, +1 gear wheels
              */
             beta_0: number;
             /**
@@ -2687,7 +2687,7 @@ export interface operations {
         parameters: {
             query: {
                 /**
-                 * @description Walton's β₀: -1 smooth spheres, +1 gear wheels: from -1 to 1
+                 * @description of Walton's model, -1 smooth spheres, +1 gear wheels: from -1 to 1
                  * @example 0.4
                  */
                 beta_0: number;

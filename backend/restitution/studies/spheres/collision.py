@@ -7,6 +7,7 @@ from typing import Annotated
 from restitution.bounds import Meaning
 from restitution.methods.answer import AnsweringMethod, EpsilonT, ErrorBound, ToleranceMet
 from restitution.methods.options import Options
+from restitution.quantities import QUANTITIES
 from restitution.studies.collision.one import CollisionStudy, study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.spheres.contact import Contact, friction_over_alpha, scales, velocity_ratio
@@ -23,16 +24,14 @@ from restitution.studies.spheres.turning import turned
 from restitution.studies.spheres.validity import Caution, cautions
 from restitution.studies.spheres.walton import walton_beta_0
 
-CENTRE = (
-    "1 - alpha (1 - epsilon_t), the tangential velocity of the centres after over before, without "
-    "spin before"
-)
-IMPULSE = "tangential over normal impulse, the friction coefficient where it slides throughout"
-WALTON = "-epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels"
-
-CONVENTIONS = (
-    f"{CONVENTION}; centre_restitution = {CENTRE}; impulse_ratio = {IMPULSE}; "
-    f"walton_beta_0 = {WALTON}"
+CONVENTIONS = "; ".join(
+    [
+        CONVENTION,
+        *(
+            f"{name} = {QUANTITIES[name].text}"
+            for name in ("centre_restitution", "impulse_ratio", "walton_beta_0")
+        ),
+    ]
 )
 
 
@@ -40,9 +39,10 @@ CONVENTIONS = (
 class ScalingStudy:
     """A collision of real bodies; attributes are those of ``POST /scaling``.
 
-    `psi` is None where it is infinite, `switches` where they were not counted, `after` where the
-    impact was given by the velocity at the point of contact. Names end in their SI unit; those
-    without one are pure numbers, but β of Eq. 18, which is in m^{-1/2} s^{-2}.
+    `psi` is None where it is infinite, `switches` where they were not counted, `walton_beta_0`
+    where double precision does not hold it, `after` where the impact was given by the velocity at
+    the point of contact. Names end in their SI unit; those without one are pure numbers, but β of
+    Eq. 18, which is in m^{-1/2} s^{-2}.
 
     Examples
     --------
@@ -66,7 +66,7 @@ class ScalingStudy:
     effective_radius_m: float
     effective_modulus_pa: float
     tangential_stiffness_n_per_m: float
-    dissipative_constant_s: Annotated[float, Meaning("A of Eq. 1")]
+    dissipative_constant_s: Annotated[float, QUANTITIES["dissipative_constant_s"]]
     normal_velocity_m_s: float
     tangential_velocity_m_s: float
     time_scale_s: float
@@ -76,11 +76,9 @@ class ScalingStudy:
     maximum_normal_force_n: float
     epsilon_n: float
     epsilon_t: EpsilonT
-    centre_restitution: Annotated[float, Meaning(CENTRE)]
-    impulse_ratio: Annotated[float, Meaning(IMPULSE)]
-    walton_beta_0: Annotated[
-        float | None, Meaning(f"{WALTON}; null where double precision does not hold it")
-    ]
+    centre_restitution: Annotated[float, QUANTITIES["centre_restitution"]]
+    impulse_ratio: Annotated[float, QUANTITIES["impulse_ratio"]]
+    walton_beta_0: Annotated[float | None, QUANTITIES["walton_beta_0"]]
     switches: int | None
     after: After | None
     warnings: Annotated[list[Caution], Meaning("where the collision leaves the model")]

@@ -15,7 +15,7 @@ from restitution.methods.options import Options
 from restitution.quantities import QUANTITIES
 from restitution.studies.collision.parameters import Convention
 
-Beta0 = Annotated[float, Ge(-1), Le(1), Meaning("Walton's β₀: -1 smooth spheres, +1 gear wheels")]
+Beta0 = Annotated[float, Ge(-1), Le(1), QUANTITIES["beta_0"]]
 
 OTHERS = 3
 """Further κ that are named."""
