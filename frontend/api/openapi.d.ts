@@ -2691,6 +2691,12 @@ export interface operations {
                  * @example 0.4
                  */
                 beta_0: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
                 /** @description one of json, csv, npz */
                 format?: "json" | "csv" | "npz";
                 /** @description form of arrays in JSON: base64, or plain for lists */
