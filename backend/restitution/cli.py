@@ -45,6 +45,7 @@ from restitution.studies.collision.axis import Scale
 from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
+from restitution.studies.tables.largest_error import BASES, ErrorBasis
 from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query
@@ -277,7 +278,7 @@ def table(
         raise click.ClickException(str(refused)) from refused
     out.write(_written(table_result(found), query.format, query))
     counts = " × ".join(str(count) for count in reversed(found.shape))
-    click.echo(f"{counts} entries, error at most {found.largest_error:.3g}", err=True)
+    _say_error(f"{counts} entries", found.largest_error, found.error_basis)
 
 
 def _as_query(given: dict[str, str | tuple[str, str] | None]) -> Iterator[tuple[str, str]]:
@@ -337,4 +338,9 @@ def _large_table(
             f"stopped with {done} of {total} chunks in {store}; the same command goes on from there"
         ) from stopped
     counts = " × ".join(f"{count:,}" for count in reversed(grid.shape))
-    click.echo(f"{counts} entries in {store}, error at most {largest:.3g}", err=True)
+    _say_error(f"{counts} entries in {store}", largest.stated, largest.basis)
+
+
+def _say_error(entries: str, largest_error: float, basis: ErrorBasis) -> None:
+    """Write on standard error how good a table is."""
+    click.echo(f"{entries}, error at most {largest_error:.3g} ({basis}: {BASES[basis]})", err=True)

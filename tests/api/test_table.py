@@ -16,6 +16,7 @@ def test_default_table_is_that_of_the_default_map(service):
         assert arrays["epsilon_t"].shape == (150, 200)
         assert (arrays["kappa"][0], arrays["kappa"][-1]) == (0.1, 70.0)
         assert 0 < arrays["largest_error"] < 1
+        assert arrays["error_basis"] == "proven"
 
 
 def test_rows_are_collisions_with_kappa_fastest(service):

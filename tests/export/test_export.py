@@ -19,6 +19,7 @@ from restitution.studies.spheres.collision import study_scaling
 from restitution.studies.spheres.contact import Contact, scales
 from restitution.studies.spheres.impact import Impact
 from restitution.studies.tables.export import study_table, study_table_within
+from restitution.studies.tables.largest_error import BASES
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "event-driven.md").read_text()
 
@@ -126,7 +127,7 @@ def test_damping_of_the_table_is_stated():
     for text in (c_header(table), python_module(table)):
         assert "3 values of eta from 0 to 0.5 (linear)" in text
         assert "trilinear" in text
-        assert "measured, not proven" in text
+        assert f"({table.error_basis}: {BASES[table.error_basis]})." in text
 
 
 def points(axes, count=2000):
@@ -186,6 +187,7 @@ def test_both_languages_state_sign_and_error(sign):
         assert f"{'+1' if sign == 'paper' else '-1'} smooth spheres" in text
         stated = float(re.search(r"within them: ([\d.e+-]+)", text)[1])
         assert table.largest_error <= stated <= 1.001 * table.largest_error
+        assert re.search(r'ERROR_BASIS\b.* "proven"$', text, re.MULTILINE)
 
 
 # the worked example

@@ -33,7 +33,7 @@ def contents(store: Path) -> dict[str, bytes]:
 
 
 @pytest.mark.parametrize("how", [*DAMAGES, "gone"])
-@pytest.mark.parametrize("name", ["epsilon_t/c/1/0", "sampled_error/c/1/1", "kappa/c/0"])
+@pytest.mark.parametrize("name", ["epsilon_t/c/1/0", "interpolation_error/c/1/1/0", "kappa/c/0"])
 def test_a_damaged_part_of_a_large_table_is_computed_anew(finished, tmp_path, caplog, name, how):
     store = shutil.copytree(finished, tmp_path / "table.zarr")
     if how == "gone":
@@ -46,7 +46,7 @@ def test_a_damaged_part_of_a_large_table_is_computed_anew(finished, tmp_path, ca
     finish(store)
     assert contents(store) == contents(finished)
     # an error that is gone is that of a chunk that was never written
-    assert len(caplog.messages) == (how != "gone" or "sampled_error" not in name)
+    assert len(caplog.messages) == (how != "gone" or "interpolation_error" not in name)
     assert all("damaged" in message for message in caplog.messages)
     assert missing_chunks(store)[0] == []
 

@@ -10,7 +10,7 @@ from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import study_batch
 from restitution.studies.tables.export import study_table, study_table_within
-from restitution.studies.tables.grid import DIGITS, SAFETY
+from restitution.studies.tables.grid import DIGITS
 from work import counted
 
 SOLIDS = Axis(3.5, 5.7, 60, "log"), Axis(0.05, 2.0, 60, "log")
@@ -56,7 +56,7 @@ def test_entries_are_exact_to_their_decimals(axes):
 
 
 @GRIDS
-def test_certified_error_holds_at_points_that_it_was_not_made_from(axes):
+def test_proven_error_holds_at_points_that_it_was_not_made_from(axes):
     table = study_table(*axes, "paper", seconds=10)
     rng = np.random.default_rng(5)
     cells = 500_000
@@ -70,27 +70,22 @@ def test_certified_error_holds_at_points_that_it_was_not_made_from(axes):
 
     kappa, psi = within(axes[0]), within(axes[1])
     error = np.abs(interpolated(table, kappa, psi) - collide(kappa, psi).epsilon_t).max()
+    assert table.error_basis == "proven"
     assert error <= table.largest_error
-    # and it says no more than twice what is true
-    assert table.largest_error <= 2.0 * error
+    # of what is found the bound is 3 times as much at most
+    assert table.largest_error <= 3.0 * error
 
 
-@GRIDS
-def test_denser_samples_raise_the_largest_error_by_less_than_the_margin(axes):
+def test_sampled_error_of_a_fine_grid_holds_at_denser_samples():
+    axes = Axis(3.0, 6.0, 160, "log"), Axis(0.05, 2.0, 160, "log")
     table = study_table(*axes, "paper", seconds=10)
-    shares = (np.arange(20) + 0.5) / 20
-
-    def dense(axis, *, positive):
-        values = axis.values(positive=positive)
-        edges = np.log(values) if axis.scale == "log" else values
-        inside = (edges[:-1, None] + shares * np.diff(edges)[:, None]).ravel()
-        return np.exp(inside) if axis.scale == "log" else inside
-
-    kappa, psi = np.meshgrid(dense(axes[0], positive=True), dense(axes[1], positive=False))
-    truth = collide(kappa, psi).epsilon_t
-    found = np.abs(interpolated(table, kappa.ravel(), psi.ravel()) - truth.ravel()).max()
-    # 20 % was the most on 60 random grids; the margin is 50 %
-    assert found <= 1.2 * table.largest_error / SAFETY
+    shares = (np.arange(8) + 0.5) / 8
+    edges = [np.log(axis.values(positive=True)) for axis in axes]
+    dense = [np.exp((e[:-1, None] + shares * np.diff(e)[:, None]).ravel()) for e in edges]
+    kappa, psi = (values.ravel() for values in np.meshgrid(*dense))
+    error = np.abs(interpolated(table, kappa, psi) - collide(kappa, psi).epsilon_t).max()
+    assert table.error_basis == "sampled"
+    assert error <= table.largest_error <= 2.5 * error
 
 
 def exact(kappa, psi, damping):
@@ -136,8 +131,8 @@ def test_error_in_three_parameters_holds_at_points_that_it_was_not_made_from(axe
         )
         worst = max(worst, np.abs(found - exact(kappa, psi, eta)).max())
     assert worst <= table.largest_error
-    # the margin is 2, and 200,000 points miss a tenth of the worst one
-    assert table.largest_error <= 2.5 * worst
+    # 200,000 points miss a tenth of the worst one
+    assert table.largest_error <= 3.0 * worst
 
 
 def test_one_damping_for_all_entries_is_a_plane_of_three_parameters():

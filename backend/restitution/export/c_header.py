@@ -18,6 +18,7 @@ $description
 #define RESTITUTION_PSI_COUNT $psi_count
 #define RESTITUTION_DAMPING_COUNT $damping_count
 #define RESTITUTION_LARGEST_ERROR $largest_error
+#define RESTITUTION_ERROR_BASIS "$error_basis"
 
 typedef double restitution_row[RESTITUTION_KAPPA_COUNT];
 

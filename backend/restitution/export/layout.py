@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from restitution.studies.collision.axis import Axis
 from restitution.studies.tables.export import RestitutionTable
-from restitution.studies.tables.grid import DIGITS, SAMPLED
+from restitution.studies.tables.grid import DIGITS
+from restitution.studies.tables.largest_error import BASES
 
 SIGNS = {
     "paper": "g_t(t_c)/g_t(0) at the contact point: +1 smooth spheres, -1 gear wheels",
@@ -43,6 +44,7 @@ def numbers(table: RestitutionTable, logarithm: str, not_a_number: str) -> dict[
         "damping_count": str(table.axes["damping"].count if "damping" in table.axes else 1),
         # rounded up
         "largest_error": f"{1.0005 * table.largest_error:.3e}",
+        "error_basis": table.error_basis,
         "beyond": "1.0 - 2.0 / psi" if table.sign == "paper" else "2.0 / psi - 1.0",
     }
     if math.isnan(table.slides_above):
@@ -96,8 +98,7 @@ def description(table: RestitutionTable) -> list[str]:
         f"{psi.count} values of psi from {psi.minimum:g} to {psi.maximum:g} ({psi.scale}),",
         f"{kappa.count} of kappa from {kappa.minimum:g} to {kappa.maximum:g} ({kappa.scale}).",
         f"Largest error of {linear} interpolation within them: {1.0005 * table.largest_error:.3e}",
-        f"({table.safety:g} times the largest at {len(SAMPLED)} points of every cell, none of them",
-        "an entry: measured, not proven).",
+        f"({table.error_basis}: {BASES[table.error_basis]}).",
         f"Below psi = {psi.minimum:g} the value at {psi.minimum:g} stands, without that statement;",
         f"{above.format(psi.maximum)};",
         f"{outside} not a number.",

@@ -10,7 +10,8 @@ from distributed import Client, KilledWorker, LocalCluster, as_completed
 
 from restitution.errors import ParameterError, RestitutionError
 from restitution.export.zarr_store import Index, missing_chunks, open_store, write_chunk
-from restitution.studies.tables.export import refuse_stiff, tabulated
+from restitution.studies.tables.cost import refuse_stiff
+from restitution.studies.tables.export import tabulated
 from restitution.studies.tables.grid import Sign, TableGrid
 
 AHEAD = 3

@@ -13,7 +13,7 @@ import math
 from array import array
 
 KAPPA_COUNT, PSI_COUNT, DAMPING_COUNT = $kappa_count, $psi_count, $damping_count
-LARGEST_ERROR = $largest_error
+LARGEST_ERROR, ERROR_BASIS = $largest_error, "$error_basis"
 
 # one line for each psi, kappa fastest$slowest
 ENTRIES = array("d", [

@@ -1,9 +1,10 @@
 """A large table in a Zarr store, whose chunks are made one by one and in any order.
 
-Beside the entries `epsilon_t` and their coordinates there is `sampled_error`, one number for each
-chunk and written after it: a chunk is there if its error is. Zarr writes each of them under
-another name first, so that they are whole or not there at all. What a disk does to them later is
-seen when they are read, for every reader of zstd compares its checksum.
+Beside the entries `epsilon_t` and their coordinates there is `interpolation_error`, for each chunk
+the largest error found and the bound on it, written after the chunk: it is there if its error is.
+Zarr writes each of them under another name first, so that they are whole or not there at all. What
+a disk does to them later is seen when they are read, for every reader of zstd compares its
+checksum.
 """
 
 import contextlib
@@ -24,6 +25,7 @@ from restitution.export.layout import SIGNS
 from restitution.mechanics.hertz import FloatArray
 from restitution.studies.tables.export import tabulated
 from restitution.studies.tables.grid import Sign, TableGrid, grid_from, provenance
+from restitution.studies.tables.largest_error import LargestError
 
 CHUNK_ENTRIES = 2**17
 """Of a chunk at most: 1 MB, and seconds of work that a killed run loses."""
@@ -93,10 +95,10 @@ def missing_chunks(path: Path) -> tuple[list[Index], int]:
 
     Those that are there are read: 0.25 s of CPU for 10⁷ entries.
     """
-    entries, errors = _array(path, "epsilon_t"), _array(path, "sampled_error")
+    entries, errors = _array(path, "epsilon_t"), _array(path, "interpolation_error")
     missing, damaged = list[Index](), list[Index]()
-    for index in np.ndindex(errors.shape):
-        error = _read(errors.blocks, index)
+    for index in np.ndindex(errors.shape[:-1]):
+        error = _read(errors, index)
         if error is not None and np.isnan(error).all():
             missing.append(index)
             continue
@@ -106,8 +108,8 @@ def missing_chunks(path: Path) -> tuple[list[Index], int]:
             damaged.append(index)
     if damaged:
         words = "%d of %d chunks in %s are damaged, as that at %s: computed anew"
-        LOGGER.warning(words, len(damaged), errors.size, path, damaged[0])
-    return missing + damaged, errors.size
+        LOGGER.warning(words, len(damaged), entries.nchunks, path, damaged[0])
+    return missing + damaged, entries.nchunks
 
 
 def write_chunk(path: str, index: Index) -> None:
@@ -137,20 +139,21 @@ def write_chunk(path: str, index: Index) -> None:
     reached = [slice(begin, end + 1) for begin, end in zip(begins, ends, strict=True)]
     within = tuple(slice(end - begin) for begin, end in zip(begins, ends, strict=True))
     one_damping = [slice(None)] * (3 - len(reached))
-    found, sampled = tabulated(grid.nodes().part(*one_damping, *reached), sign)
+    found, largest = tabulated(grid.nodes().part(*one_damping, *reached), sign)
     values = found.reshape(found.shape[len(one_damping) :])
     entries[tuple(map(slice, begins, ends))] = values[within]
     # a chunk that is but the last layer of the table has no cells: those before it have them
-    no_cells = 1 in values.shape
-    _array(Path(path), "sampled_error")[index] = 0.0 if no_cells else sampled
+    known = (0.0, 0.0) if 1 in values.shape else (largest.found, largest.bound)
+    _array(Path(path), "interpolation_error")[index] = known
 
 
-def finish(path: Path) -> float:
+def finish(path: Path) -> LargestError:
     """State the largest error in the store, whose chunks are all there, and return it."""
     group = zarr.open_group(path, mode="r+")
-    safety = float(str(group.attrs["safety"]))
-    largest = safety * float(np.max(_array(path, "sampled_error")[...]))
-    group.attrs["largest_error"] = largest
+    found, bound = np.asarray(_array(path, "interpolation_error")[...]).reshape(-1, 2).max(0)
+    in_three = "damping" in grid_from(dict(group.attrs)).axes
+    largest = LargestError(float(found), float(bound), in_three)
+    group.attrs.update(largest_error=largest.stated, error_basis=largest.basis)
     # what writers left that were killed
     for partial in path.rglob("*.partial"):
         partial.unlink(missing_ok=True)
@@ -178,13 +181,13 @@ def _create(
             dimension_names=list(grid.axes),
         )
         group.create_array(
-            "sampled_error",
-            shape=tuple(map(math.ceil, np.divide(grid.shape, chunks))),
-            chunks=(1,) * len(chunks),
+            "interpolation_error",
+            shape=(*map(math.ceil, np.divide(grid.shape, chunks)), 2),
+            chunks=(*(1 for _ in chunks), 2),
             dtype="f8",
             compressors=CHECKED,
             fill_value=math.nan,
-            dimension_names=[f"{name}_chunk" for name in grid.axes],
+            dimension_names=[*(f"{name}_chunk" for name in grid.axes), "found_and_bound"],
         )
         partial.rename(path)
     finally:

@@ -72,6 +72,7 @@ def table_result(table: RestitutionTable) -> Result:
             **({"damping": eta.ravel()} if third else {}),
             "epsilon_t": entries,
             "largest_error": np.full(entries.size, table.largest_error),
+            "error_basis": np.full(entries.size, table.error_basis),
         }
 
     payload = {
@@ -79,6 +80,7 @@ def table_result(table: RestitutionTable) -> Result:
         "psi": psis,
         "epsilon_t": table.epsilon_t,
         "largest_error": table.largest_error,
+        "error_basis": table.error_basis,
         "kappa_scale": table.kappa.scale,
         "psi_scale": table.psi.scale,
         "sign": table.sign,
