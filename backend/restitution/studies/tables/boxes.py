@@ -4,6 +4,7 @@ Interpolation is multilinear, so that its range in a box is that of its corners.
 middle, and changes from there by no more than `mechanics.variation` says.
 """
 
+from collections.abc import Collection
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
@@ -68,15 +69,20 @@ class Judge:
 
     def cells(self) -> Boxes:
         """Return the cells, judged."""
-        cell = self.every_cell()
-        width = np.zeros(cell.shape)
-        width[self.axes] = 1.0
-        return self._judged(cell, np.zeros(cell.shape), width)
+        cell, middle = self.midway(self.axes)
+        return self._judged(cell, np.zeros(middle.shape), 2.0 * middle)
 
-    def every_cell(self) -> IntegerArray:
-        """Return the places of all cells, (3, N)."""
-        counts = [max(1, values.size - 1) for values in self.nodes.values]
-        return np.indices(counts).reshape(3, -1)
+    def midway(self, along: Collection[int]) -> tuple[IntegerArray, FloatArray]:
+        """Return the places, cell and share, in the middle between neighbours along some axes.
+
+        Along the others they are at the nodes.
+        """
+        counts = np.array([values.size for values in self.nodes.values])
+        between = np.isin(np.arange(3), list(along))
+        node = np.indices(tuple((counts - between).tolist())).reshape(3, -1)
+        # the last node is the end of the last cell
+        cell = np.minimum(node, np.maximum(counts - 2, 0)[:, None])
+        return cell, node - cell + 0.5 * between[:, None]
 
     def halves(self, boxes: Boxes) -> Boxes:
         """Return the halves of boxes, judged."""

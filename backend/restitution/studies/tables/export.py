@@ -4,8 +4,6 @@ import math
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from restitution.errors import CostError
 from restitution.mechanics.collision import workers
 from restitution.mechanics.hertz import FloatArray
@@ -16,10 +14,10 @@ from restitution.studies.tables.cost import counts_of, least_seconds, refuse_cos
 from restitution.studies.tables.entries import tabulate
 from restitution.studies.tables.grid import LEAST_SEARCH, SEARCH, Nodes, Sign, TableGrid
 from restitution.studies.tables.largest_error import (
-    SAFETY,
     ErrorBasis,
     LargestError,
     largest_error,
+    safety,
 )
 from restitution.studies.tabular import Table, Tabular
 
@@ -28,7 +26,10 @@ FEWEST_DAMPINGS = 4
 GROWTH = math.sqrt(2.0)
 """Of the count along the axis with the largest error, from one try to the next."""
 
-HOPELESS = 100.0
+LIKELY = 1.1
+"""Largest error found in a table over the largest in the middle of an edge of a cell, at first."""
+
+HOPELESS = 10.0
 """Times the limit; an estimate of more than that is believed before all of the limit is spent."""
 
 
@@ -99,7 +100,7 @@ def study_table(
     CostError
         If it would take more than that.
     """
-    return _study(TableGrid(kappa, psi, damping), sign, seconds, 0.0)
+    return _study(TableGrid(kappa, psi, damping), sign, seconds, math.inf)
 
 
 def _study(grid: TableGrid, sign: Sign, seconds: float, wanted: float) -> RestitutionTable:
@@ -137,7 +138,8 @@ def study_table_within(
     """
     third = replace(damping, count=FEWEST_DAMPINGS) if isinstance(damping, Axis) else damping
     grid = TableGrid(replace(kappa, count=FEWEST), replace(psi, count=FEWEST), third)
-    best, spent = math.inf, 0.0
+    likely = LIKELY * safety(in_three="damping" in grid.axes)
+    best, spent, failed = math.inf, 0.0, 0.0
     while True:
         nodes = grid.nodes()
         try:
@@ -151,20 +153,21 @@ def study_table_within(
         errors = _errors_along(grid, nodes)
         spent += expected * (1 + len(errors)) / (1.0 + SEARCH)
         worst = max(errors, key=errors.__getitem__)
-        best = min(best, SAFETY * errors[worst])
+        best = min(best, likely * errors[worst])
         # the error of linear interpolation falls with the square of the distance at best
-        more = math.prod(math.sqrt(max(1.0, SAFETY * e / error)) for e in errors.values())
+        more = math.prod(math.sqrt(max(1.0, likely * e / error)) for e in errors.values())
         if more * least_seconds(grid) > HOPELESS * seconds:
             raise CostError(
                 f"an error of {error:g} takes about {more * math.prod(grid.shape):.1g} entries or "
                 f"more here ({best:.2g} at most so far); the limit of {seconds:g} s of one core is "
                 "far below. Ask for a larger error, or for a narrower range"
             )
-        if SAFETY * errors[worst] <= error:
+        if likely * errors[worst] <= error and failed * sum(errors.values()) <= error:
             table = _study(grid, sign, seconds, error)
             spent += expected
             if table.largest_error <= error:
                 return table
+            failed = table.largest_error / sum(errors.values())
         count = math.ceil(GROWTH * grid.axes[worst].count)
         grid = replace(grid, **{worst: replace(grid.axes[worst], count=count)})
 
@@ -185,7 +188,7 @@ def study_table_as_wanted(
 
 
 def tabulated(
-    nodes: Nodes, sign: Sign, threads: ThreadPoolExecutor | None = None, wanted: float = 0.0
+    nodes: Nodes, sign: Sign, threads: ThreadPoolExecutor | None = None, wanted: float = math.inf
 ) -> tuple[FloatArray, LargestError]:
     """Return the entries [η][ψ][κ] and what is known of the largest error of interpolation.
 
@@ -206,10 +209,7 @@ def _errors_along(grid: TableGrid, nodes: Nodes) -> dict[str, float]:
     """
     entries, _ = tabulate(nodes, workers())
     judge = Judge(entries, nodes, workers())
-    cell = judge.every_cell()
-    errors = {}
-    for name, axis in zip(reversed(grid.axes), (2, 1, 0), strict=False):
-        share = np.zeros(cell.shape)
-        share[axis] = 0.5
-        errors[name] = float(judge.errors(cell, share).max())
-    return errors
+    return {
+        name: float(judge.errors(*judge.midway([axis])).max())
+        for name, axis in zip(reversed(grid.axes), (2, 1, 0), strict=False)
+    }

@@ -4,10 +4,11 @@ Boxes that may hold a larger error than the largest that was found are halved, t
 largest bound first, until none can hold a much larger one, or the work is done that it may take.
 """
 
+import math
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from itertools import product
+from itertools import combinations
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -31,8 +32,11 @@ TIGHT = 1.3
 CLOSE = 3.0
 """The same up to which the bound is stated, and not a multiple of the largest error found."""
 
-SAFETY, SAFETY_IN_THREE = 1.5, 2.0
-"""This multiple, in two and three parameters."""
+SAFETY, SAFETY_IN_THREE = 1.5, 1.8
+"""Stated over largest error found where the bound is not close, in two and three parameters.
+
+Measured: over 500 random grids in two parameters the search found 0.97 of the largest error or more
+where the bound was not close, over 300 in three 0.72 (tests/hostile/test_tables.py)."""
 
 NARROWEST = 2.0**-20
 """Of its cell that a box is wide and still halved: one that reaches ψ = 0 may go on for ever."""
@@ -55,6 +59,11 @@ class Errors(NamedTuple):
     error: FloatArray
 
 
+def safety(*, in_three: bool) -> float:
+    """Return the stated over the largest error found, where the bound is not close."""
+    return SAFETY_IN_THREE if in_three else SAFETY
+
+
 @dataclass(frozen=True)
 class LargestError:
     """What is known of the largest error of interpolation in a table or a part of it.
@@ -67,16 +76,19 @@ class LargestError:
         No error is larger.
     in_three : bool
         Whether η is an axis, so that the bound rests on a measured slope.
+    wanted : float, optional
+        Error that was asked for: a bound above it is not stated.
     """
 
     found: float
     bound: float
     in_three: bool
+    wanted: float = math.inf
 
     @property
     def basis(self) -> ErrorBasis:
         """What `stated` rests on."""
-        if self.bound > CLOSE * self.found:
+        if self.bound > min(CLOSE * self.found, self.wanted):
             return "sampled"
         return "measured slope" if self.in_three else "proven"
 
@@ -84,7 +96,7 @@ class LargestError:
     def stated(self) -> float:
         """The largest error that the table states."""
         if self.basis == "sampled":
-            return (SAFETY_IN_THREE if self.in_three else SAFETY) * self.found
+            return safety(in_three=self.in_three) * self.found
         return self.bound
 
 
@@ -93,7 +105,7 @@ def largest_error(
     nodes: Nodes,
     seconds: float,
     threads: ThreadPoolExecutor | None,
-    wanted: float = 0.0,
+    wanted: float = math.inf,
 ) -> LargestError:
     """Return what is found in about so many `seconds` of one core, which are counted as work.
 
@@ -111,22 +123,22 @@ def largest_error(
     seconds -= float(boxes.seconds.sum())
     while True:
         found = float(best.error[0])
-        aim = max(TIGHT * found, min(wanted, CLOSE * found))
+        aim = max(TIGHT * found, wanted if wanted < CLOSE * found else 0.0)
         is_open = (boxes.bound > aim) & (boxes.widest() > NARROWEST)
         closed = max(closed, float(boxes.bound[~is_open].max(initial=0.0)))
         where = np.flatnonzero(is_open)
         where = where[np.argsort(-boxes.bound[where], kind="stable")]
         lot = _first_lot(boxes.bound[where], boxes.seconds[where], aim, seconds)
-        if not lot or 0.0 < wanted < found:
+        if not lot or wanted < found:
             break
         halves = judge.halves(boxes.part(where[:lot]))
         seconds -= float(halves.seconds.sum())
         best = _one_a_cell(best, _middles(halves))
         boxes = Boxes.joined([boxes.part(where[lot:]), halves])
     bound = max(closed, float(boxes.bound[where].max(initial=0.0)))
-    if bound > aim:
+    if bound > aim and found <= wanted:
         found = _sharpened(judge, _one_a_cell(best, *_lines(judge)))
-    return LargestError(found + ROUNDING, bound + ROUNDING, 0 in judge.axes)
+    return LargestError(found + ROUNDING, bound + ROUNDING, 0 in judge.axes, wanted)
 
 
 def _first_lot(bounds: FloatArray, seconds: FloatArray, aim: float, left: float) -> int:
@@ -147,11 +159,9 @@ def _lines(judge: Judge) -> Iterator[Errors]:
 
     They are the largest where the errors along two axes have opposite signs.
     """
-    cell = judge.every_cell()
-    for where in product((0.0, 0.5), repeat=len(judge.axes)):
-        if 0 < sum(where) < 0.5 * len(judge.axes):
-            share = np.zeros(cell.shape)
-            share[judge.axes] = np.array(where)[:, None]
+    for count in range(1, len(judge.axes)):
+        for along in combinations(judge.axes, count):
+            cell, share = judge.midway(along)
             yield Errors(cell, share, judge.errors(cell, share))
 
 
