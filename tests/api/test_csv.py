@@ -190,4 +190,4 @@ def test_commands_of_the_document_run_as_they_stand(server, tmp_path, monkeypatc
     answer = subprocess.run([*words, "--silent", "--fail"], capture_output=True, check=True)
     assert answer.stdout.decode().startswith("# t_scale;ξ_scale;")
     assert CliRunner().invoke(main, shlex.split(table)[1:]).exit_code == 0
-    assert (tmp_path / "table.csv").read_text().startswith("# 1;1;1;1;epsilon_t = ")
+    assert (tmp_path / "table.csv").read_text().startswith("# 1;1;1;1;;epsilon_t = ")
