@@ -27,9 +27,13 @@ from typing import (
 )
 
 import annotated_types as at
-from typing_extensions import TypeAliasType
 
 from restitution.errors import ParameterError
+
+if sys.version_info >= (3, 12):
+    from typing import TypeAliasType as TypeAliasType  # noqa: PLC0414 - for other rooms, too
+else:
+    from typing_extensions import TypeAliasType as TypeAliasType  # noqa: PLC0414 - for other rooms, too
 
 Misfit = tuple[str, str]
 """A member and what holds for it beside the others."""

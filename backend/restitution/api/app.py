@@ -94,7 +94,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.warm.set()
         LOGGER.info("all is prepared", took_seconds=round(time.perf_counter() - begin, 1))
 
-    LOGGER.info("preparing the kernels: compiled the first time, which takes half a minute")
+    LOGGER.info("preparing the kernels")
     threading.Thread(target=prepare, name="kernels", daemon=True).start()
     yield
 

@@ -31,6 +31,11 @@ def tell_once(subject: str, event: str) -> None:
         LOGGER.warning(event)
 
 
+def was_told(subject: str) -> bool:
+    """Return whether `tell_once` was asked to log an event about this subject."""
+    return subject in _told
+
+
 def _who_else_may_write(found: os.stat_result) -> str:
     """Return in words who may write a file or folder beside this user and root, "" if nobody."""
     if stat.S_ISLNK(found.st_mode):
@@ -132,7 +137,7 @@ def find_folder(name: str) -> tuple[str, str]:
         event = f"the cache is in {folder}, not in {'; '.join(distrusted)}"
         return str(folder), event if distrusted else ""
     reasons = "; ".join(distrusted + unfit) or "there is neither a home nor a temporary folder"
-    return "", f"nothing is kept, each start compiles: {reasons}"
+    return "", f"nothing is kept, each start compiles for 5 to 20 s: {reasons}"
 
 
 def _link(lent: Path, folder: Path) -> None:

@@ -11,12 +11,11 @@ and 3.828, not .3939 and 2.752.
 import functools
 import math
 from collections.abc import Callable
-from typing import Any, Concatenate, ParamSpec, TypeVar
-
-from numba.extending import overload
+from typing import Concatenate, ParamSpec, TypeVar
 
 from restitution.errors import ParameterError
 from restitution.mechanics import damped_sliding, elastic, viscoelastic
+from restitution.mechanics.compiled import chosen_by_type
 from restitution.mechanics.damped_normal_motion import (
     MOST_STEPS,
     Viscoelastic,
@@ -67,11 +66,7 @@ def by_contact(
             return undamped(contact, *rest, **named)
         return damped(contact, *rest, **named)
 
-    @overload(chosen, strict=False, inline="always")
-    def choose(contact: Any, *_: Any) -> Any:
-        function: Any = undamped if contact.instance_class is Elastic else damped
-        return function.py_func
-
+    chosen_by_type(chosen, Elastic, undamped, damped)
     return chosen
 
 

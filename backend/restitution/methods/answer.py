@@ -6,9 +6,8 @@ from typing import Annotated
 import numpy as np
 import numpy.typing as npt
 from annotated_types import Ge
-from typing_extensions import TypeAliasType
 
-from restitution.bounds import Meaning
+from restitution.bounds import Meaning, TypeAliasType
 from restitution.mechanics.hertz import FloatArray
 from restitution.methods.options import OneMethod
 from restitution.quantities import QUANTITIES

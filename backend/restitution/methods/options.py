@@ -4,9 +4,8 @@ from dataclasses import field, replace
 from typing import Annotated, Literal
 
 from annotated_types import Ge, Le
-from typing_extensions import TypeAliasType
 
-from restitution.bounds import Meaning, closed
+from restitution.bounds import Meaning, TypeAliasType, closed
 from restitution.errors import ParameterError
 from restitution.mechanics.contact import LEAST_RESTITUTION, MOST_DAMPING
 from restitution.quantities import QUANTITIES

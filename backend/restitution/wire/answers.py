@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal, NotRequired, get_type_hints
 
 from pydantic import Field
-from typing_extensions import TypeAliasType, TypedDict
+from typing_extensions import TypedDict
 
-from restitution.bounds import annotations
+from restitution.bounds import TypeAliasType, annotations
 from restitution.methods.answer import AnsweringMethod
 from restitution.methods.options import NormalRestitution, OneMethod, Options
 from restitution.paper import Correction, Item

@@ -8,10 +8,10 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from datetime import UTC, datetime
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
-import numba
 import numpy as np
 import numpy.typing as npt
 
@@ -265,7 +265,7 @@ def machine() -> str:
         cpu = next((x.split(":")[1].strip() for x in lines if x.startswith("model name")), cpu)
     return (
         f"{cpu}, {os.cpu_count()} cores; Python {platform.python_version()}, "
-        f"numpy {np.__version__}, numba {numba.__version__}"
+        f"numpy {np.__version__}, numba {version('numba')}"
     )
 
 
