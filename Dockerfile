@@ -11,17 +11,16 @@ COPY requirements.lock /build/
 RUN /app/venv/bin/pip install --no-cache-dir --compile --require-hashes --requirement /build/requirements.lock
 COPY deploy/slim /build/
 RUN /build/slim /app/venv
-COPY pyproject.toml LICENSE /build/
+COPY pyproject.toml LICENSE README.md /build/
 COPY backend /build/backend
+COPY frontend /build/frontend
 # The kernels' cache knows a source by its time, of which an image layer keeps whole seconds only.
 RUN /app/venv/bin/pip install --no-cache-dir --no-compile --no-deps --no-build-isolation /build \
     && find /app/venv/lib/python3.11/site-packages/restitution -name '*.py' -exec touch --date=@1700000000 {} + \
     && /app/venv/bin/python -m compileall -q /app/venv/lib/python3.11/site-packages/restitution \
-    && /app/venv/bin/pip uninstall --quiet --yes setuptools pip
+    && /app/venv/bin/pip uninstall --quiet --yes hatch-fancy-pypi-readme hatchling pathspec pluggy tomlkit trove-classifiers setuptools pip
 COPY deploy/on-this-processor deploy/ready /app/
-COPY frontend /app/frontend
-ENV NUMBA_CACHE_DIR=/app/cache \
-    RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
+ENV NUMBA_CACHE_DIR=/app/cache
 # Kernels for any processor and, if this one can run them, for those of the last ten years. A cache is
 # its owner's alone, here for all to read.
 RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
@@ -31,7 +30,7 @@ RUN NUMBA_CPU_NAME=generic /app/venv/bin/restitution warm \
 FROM ${PYTHON_IMAGE}
 LABEL org.opencontainers.image.title="Restitution" \
       org.opencontainers.image.description="Coefficient of tangential restitution of colliding frictional spheres: a page and a REST service" \
-      org.opencontainers.image.licenses="MIT"
+      org.opencontainers.image.licenses="MIT AND OFL-1.1"
 # The base's own pip and setuptools: nothing is installed from here on.
 RUN rm -rf /usr/local/lib/python3.11/site-packages/* /usr/local/lib/python3.11/ensurepip /usr/local/bin/pip* \
     && useradd --uid 10001 --user-group --no-create-home --home-dir /nonexistent --shell /usr/sbin/nologin restitution
@@ -39,8 +38,7 @@ COPY --from=build /app /app
 ENV PATH=/app/venv/bin:$PATH \
     PYTHONUNBUFFERED=1 \
     PYTHONDONTWRITEBYTECODE=1 \
-    NUMBA_CACHE_DIR=/app/cache \
-    RESTITUTION_FRONTEND_DIRECTORY=/app/frontend
+    NUMBA_CACHE_DIR=/app/cache
 USER 10001:10001
 EXPOSE 8000
 HEALTHCHECK --interval=3s --timeout=3s --start-period=60s CMD ["/app/ready"]

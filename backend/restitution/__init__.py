@@ -49,6 +49,8 @@ from restitution.studies.spheres.velocity_map import VelocityMap
 from restitution.studies.spheres.walton import WaltonStudy
 from restitution.studies.tables.export import RestitutionTable
 
+__version__ = "0.1.0"
+
 __all__ = [
     "MATERIALS",
     "PRESETS",

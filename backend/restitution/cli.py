@@ -13,6 +13,7 @@ from typing import BinaryIO, get_args
 import click
 from click.core import ParameterSource
 
+from restitution import __version__
 from restitution.api.page import compress_page
 from restitution.api.serving import (
     address_of,
@@ -54,6 +55,7 @@ from restitution.wire.results import table_result
 
 
 @click.group()
+@click.version_option(__version__, prog_name="restitution", message="%(prog)s %(version)s")
 def main() -> None:
     """Exact collisions of spinning, frictional spheres."""
 

@@ -24,7 +24,7 @@ def serve_in_background() -> str:
     Raises
     ------
     SettingsError
-        If a setting is wrong, or the page not there, as in an installation without a checkout.
+        If a setting is wrong.
     """
     service = create_app()
     if not structlog.is_configured():

@@ -6,7 +6,6 @@ Nothing of this acts on a request.
 
 import re
 from collections.abc import Mapping
-from importlib.metadata import version
 from typing import Any, Literal, get_args
 
 from fastapi import FastAPI
@@ -15,6 +14,7 @@ from pydantic import TypeAdapter
 from pydantic.json_schema import GenerateJsonSchema
 from typing_extensions import is_typeddict
 
+from restitution import __version__
 from restitution.bounds import Meaning, annotations, requirement, said
 from restitution.wire import answers
 from restitution.wire.reading import adapter
@@ -148,7 +148,7 @@ def about() -> dict[str, Any]:
     """Return what the application says of itself, as arguments of `FastAPI`."""
     return {
         "title": "Restitution",
-        "version": version("restitution"),
+        "version": __version__,
         "summary": "Coefficient of tangential restitution of colliding frictional spheres",
         "description": ABOUT,
         "license_info": {"name": "MIT", "identifier": "MIT"},

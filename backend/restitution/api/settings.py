@@ -17,6 +17,8 @@ from restitution.wire.refusals import RefusedParametersError
 
 PREFIX = "RESTITUTION_"
 
+PAGES = Path(__file__).parents[1] / "frontend", Path(__file__).parents[3] / "frontend"
+
 MISSPELT = 0.8
 """How much of a name must be a setting's to be meant for it, as difflib counts."""
 
@@ -40,8 +42,8 @@ class SettingsError(RestitutionError):
 class Settings:
     """Settings of the service; docs/deployment.md says when to change them."""
 
-    frontend_directory: Path = Path(__file__).parents[3] / "frontend"
-    """Folder of the page; that of the checkout unless the package is installed elsewhere."""
+    frontend_directory: Path = next(filter(Path.is_dir, PAGES), PAGES[-1])
+    """Folder of the page: of an installed package in it, else that of the checkout."""
 
     tradeoff_runs: Annotated[bool, Words("true or false")] = False
     """Whether anyone may have the methods measured anew: half a minute of a core at a time."""

@@ -85,7 +85,7 @@ def explore(*, server: str | None = None, height: int = 720, **state: str | floa
     ParameterError
         If the page has no such option.
     RestitutionError
-        If no server is given and this installation has no page.
+        If no server is given and a setting of the environment is wrong.
 
     Examples
     --------

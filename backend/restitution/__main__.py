@@ -1,0 +1,5 @@
+"""`python -m restitution`: the command line."""
+
+from restitution.cli import main
+
+main()
