@@ -47,6 +47,7 @@ from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.studies.tables.largest_error import BASES, ErrorBasis
+from restitution.terminal import Program
 from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query
@@ -54,7 +55,7 @@ from restitution.wire.refusals import RefusedParametersError, sentences
 from restitution.wire.results import table_result
 
 
-@click.group()
+@click.group(cls=Program)
 @click.version_option(__version__, prog_name="restitution", message="%(prog)s %(version)s")
 def main() -> None:
     """Exact collisions of spinning, frictional spheres."""
@@ -138,7 +139,8 @@ def openapi() -> None:
     # of all commands this one alone needs the whole service
     from restitution.api.app import create_app  # noqa: PLC0415
 
-    click.echo(json.dumps(create_app(_settings()).openapi(), ensure_ascii=False, indent=1))
+    text = json.dumps(create_app(_settings()).openapi(), ensure_ascii=False, indent=1)
+    say_json(text.encode())
 
 
 def _in_a_folder(_: click.Context, __: click.Parameter, path: Path | None) -> Path | None:
@@ -180,7 +182,7 @@ def tradeoff(scenes: tuple[SceneName, ...], out: Path, report: Path | None) -> N
                 finished = measurement
         store_tradeoff(finished, out)
     if report:
-        report.write_text(tradeoff_report(load_tradeoff(out)))
+        report.write_text(tradeoff_report(load_tradeoff(out)), "utf-8")
 
 
 def _written(result: Result, form: str, options: CsvOptions | None = None) -> bytes:

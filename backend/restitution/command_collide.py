@@ -9,11 +9,12 @@ import click
 
 from restitution.errors import RestitutionError
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
+from restitution.terminal import say_json
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import formed
 from restitution.wire.impact_options import OPTIONS, told_body
 from restitution.wire.neighbours import neighbour
-from restitution.wire.parsing import parse_nested
+from restitution.wire.parsing import in_utf8, parse_nested
 from restitution.wire.reading import read_object
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
 from restitution.wire.results import scaling_result
@@ -69,7 +70,7 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
     try:
         text = file.read() if file else None
         if told:
-            body = told_body(parse_nested(text) if text is not None else None, given, wall=wall)
+            body = told_body(parse_nested(in_utf8(text)) if text is not None else None, given, wall=wall)
             text = json.dumps(body).encode()
         assert text is not None
         asked = read_object(ScalingBody, text)
@@ -79,7 +80,7 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
     except (MalformedBodyError, RestitutionError) as refused:
         raise click.ClickException(str(refused)) from refused
     if in_full:
-        click.echo(b"".join(formed(scaling_result(study), "json")[1]))
+        say_json(b"".join(formed(scaling_result(study), "json")[1]))
     else:
         click.echo(_summary(study))
 

@@ -55,6 +55,23 @@ def test_collide_reads_what_the_service_reads(service, tmp_path):
     assert json.loads(run("collide", "-", "--json", given=json.dumps(BODY)).stdout) == answer
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
+def test_collide_reads_what_an_editor_wrote(encoding, tmp_path):
+    file = tmp_path / "impact.json"
+    file.write_text(json.dumps(BODY), encoding=encoding)
+    assert "epsilon_t" in run("collide", str(file)).stdout
+    assert "epsilon_t" in run("collide", "-", given=file.read_bytes()).stdout
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-16-le", "utf-16-be"])
+def test_collide_names_an_encoding_that_it_does_not_read(encoding, tmp_path):
+    file = tmp_path / "impact.json"
+    file.write_text(json.dumps(BODY), encoding=encoding)
+    done = run("collide", str(file))
+    assert (done.exit_code, done.stdout) == (1, "")
+    assert f"must be JSON in UTF-8, this is {encoding.upper()}" in done.stderr
+
+
 def test_collide_prints_lines_with_numbers_convention_and_motion():
     done = run("collide", "-", given=json.dumps(BODY))
     for word in ("epsilon_t", "kappa", "velocity_1_m_s", "spin_2_rad_s", "+1 smooth spheres"):

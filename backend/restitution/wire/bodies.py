@@ -23,7 +23,7 @@ from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import AnyImpact
 from restitution.studies.spheres.velocity_map import one_velocity_missing
 from restitution.wire.arrays import MOST_ITEMS, number_array
-from restitution.wire.parsing import parse_lists
+from restitution.wire.parsing import in_utf8, parse_lists
 from restitution.wire.reading import adapter, entries
 from restitution.wire.refusals import RefusedParametersError, refusal
 
@@ -189,11 +189,11 @@ def read_collisions(text: bytes) -> CollisionsBody:
     RefusedParametersError
         If anything is wrong: all of it at once.
     MalformedBodyError
-        If it is no JSON object.
+        If it is no JSON object, or not in UTF-8.
     CostError
         If there are more than `MOST_ITEMS`.
     """
-    body = parse_lists(text)
+    body = parse_lists(in_utf8(text))
     _refuse_too_many(len(value) for value in body.values() if isinstance(value, list))
     arrays: dict[str, FloatArray] = {}
     errors = [_told_twice(name, body[name], words) for name, words in told_twice(body)]

@@ -1,5 +1,6 @@
 """JSON in a body: one object, no key in it twice."""
 
+import codecs
 import contextlib
 import json
 import secrets
@@ -21,6 +22,22 @@ MOST_CONTAINERS = 1000
 
 PIECE = 2**17
 """Bytes of a list that are read in one go, in which no other thread gets a turn: half a ms."""
+
+
+def in_utf8(text: bytes) -> bytes:
+    """Return JSON without the mark that some editors begin it with.
+
+    Raises
+    ------
+    MalformedBodyError
+        If it is in another encoding, which is named.
+    """
+    encoding = json.detect_encoding(text)
+    if encoding == "utf-8-sig":
+        return text[len(codecs.BOM_UTF8) :]
+    if encoding != "utf-8":
+        raise MalformedBodyError(f"the body must be JSON in UTF-8, this is {encoding.upper()}")
+    return text
 
 
 class Parts:

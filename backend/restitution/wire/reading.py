@@ -14,7 +14,7 @@ from pydantic import TypeAdapter, ValidationError
 from restitution.bounds import Choice, Words, annotations, members, plain, requirement, said
 from restitution.errors import ParameterError
 from restitution.wire.neighbours import names_within, neighbour
-from restitution.wire.parsing import TOO_DEEP, parse_nested
+from restitution.wire.parsing import TOO_DEEP, in_utf8, parse_nested
 from restitution.wire.refusals import (
     UNKNOWN,
     MalformedBodyError,
@@ -59,8 +59,9 @@ def read_object(of: type[Read], text: bytes) -> Read:
     RefusedParametersError
         If anything in it is wrong: all of it at once.
     MalformedBodyError
-        If it is no JSON object.
+        If it is no JSON object, or not in UTF-8.
     """
+    text = in_utf8(text)
     given = parse_nested(text)
     read: Read | None = None
     errors: list[Entry] = []

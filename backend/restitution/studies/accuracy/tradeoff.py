@@ -261,7 +261,7 @@ def machine() -> str:
     cpu = platform.processor() or platform.machine()
     information = Path("/proc/cpuinfo")
     if information.exists():
-        lines = information.read_text().splitlines()
+        lines = information.read_text("utf-8").splitlines()
         cpu = next((x.split(":")[1].strip() for x in lines if x.startswith("model name")), cpu)
     return (
         f"{cpu}, {os.cpu_count()} cores; Python {platform.python_version()}, "
@@ -275,7 +275,7 @@ STORED = Path(__file__).with_name("tradeoff.json")
 
 def load_tradeoff(source: Path = STORED) -> dict[SceneName, Any]:
     """Return stored measurements, scene → `Measurement` as a dictionary."""
-    stored: dict[SceneName, Any] = json.loads(source.read_text())
+    stored: dict[SceneName, Any] = json.loads(source.read_text("utf-8"))
     return stored
 
 
@@ -313,7 +313,7 @@ def _write(stored: dict[SceneName, Any], target: Path) -> None:
     # whole or not at all: measurements of other scenes are in it
     partial = target.with_name(f"{target.name}.{os.getpid()}")
     try:
-        partial.write_text(json.dumps(stored, indent=1) + "\n")
+        partial.write_text(json.dumps(stored, indent=1) + "\n", "utf-8")
         partial.replace(target)
     finally:
         partial.unlink(missing_ok=True)
