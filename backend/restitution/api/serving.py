@@ -45,10 +45,13 @@ def server(app: Any, farewell: int) -> Server:
 
     At its end, what is in flight gets `farewell` seconds.
     """
+    # which a parent of workers does not need
+    from restitution.api.connections import Connection  # noqa: PLC0415
+
     config = uvicorn.Config(
         app,
         factory=isinstance(app, str),
-        http="restitution.api.connections:Connection",
+        http=Connection,
         # one protocol less that could be attacked: nobody speaks it here
         ws="none",
         log_config=None,
