@@ -24,10 +24,10 @@ WITH_NGINX := NGINX="$$($(SET_UP) nginx)" && export NGINX &&
 WITH_MORE := APACHE2="$$($(SET_UP) apache2)" FIREFOX_ESR="$$($(SET_UP) firefox-esr)" && export APACHE2 FIREFOX_ESR &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test coverage check format bench times load tradeoff verify screenshots pictures types fonts lock clean
+.PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots pictures types fonts lock clean
 
 help: ## this list
-	@awk -F ':.*## ' '/^[a-z]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 serve: $(RUNTIME) ## the page and the API at http://127.0.0.1:8000 (PORT=…, HOST=…)
 	@exec $(BIN)/restitution serve --host $(HOST) --port $(PORT)
@@ -79,6 +79,15 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
 	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_MORE) $(BIN)/python tests/verify.py
+
+wheel: $(DEVELOPMENT) ## dist/restitution-….whl: library, service and page, for pip install
+	@$(BIN)/python -m pip --quiet --disable-pip-version-check wheel --no-deps --no-build-isolation --wheel-dir dist .
+
+release-check: $(DEVELOPMENT) ## a rehearsed release: wheel, metadata, every Python that is here, image
+	@PYTHONPATH=tests $(BIN)/python tests/release.py release
+
+lowest: $(DEVELOPMENT) ## the numerics' tests with the oldest versions of numpy, numba and the others
+	@PYTHONPATH=tests $(BIN)/python tests/release.py lowest
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py

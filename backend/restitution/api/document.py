@@ -34,7 +34,14 @@ Times, lengths, velocities and forces are scaled by t_scale, ξ_scale, g_n and m
 Every answer but that of `/tradeoff` is a function of the request alone. A number that does not
 exist is null in JSON, NaN in `npz` and base64, empty in `csv`. Refusals are
 `application/problem+json` (RFC 9457) and name everything that is wrong at once; methods that an
-address does not have are answered 405 with `Allow`, addresses that do not exist 404."""
+address does not have are answered 405 with `Allow`, addresses that do not exist 404.
+
+What is under `/api/v1` keeps its meaning: names, units, signs and defaults stay. Parameters, keys
+of answers, words that a key may hold and calls may be added: clients pass over what they do not
+know. Numbers may change with a version within their `error_bound`, and the ETags with them. What
+is to go is marked `deprecated` here and in the changelog, and works for another year, in which its
+answers carry `Deprecation` (RFC 9745) and `Sunset` (RFC 8594). A change of meaning would come under
+`/api/v2`, with a year of both. Faults are mended in the latest version alone."""
 
 TAGS = [
     {"name": "collisions", "description": "One collision, many, along a cut, over a map."},
