@@ -47,7 +47,7 @@ from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.studies.tables.largest_error import BASES, ErrorBasis
-from restitution.terminal import Program
+from restitution.terminal import Program, say_json
 from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query

@@ -70,7 +70,8 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
     try:
         text = file.read() if file else None
         if told:
-            body = told_body(parse_nested(in_utf8(text)) if text is not None else None, given, wall=wall)
+            begun = None if text is None else parse_nested(in_utf8(text))
+            body = told_body(begun, given, wall=wall)
             text = json.dumps(body).encode()
         assert text is not None
         asked = read_object(ScalingBody, text)
