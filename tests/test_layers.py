@@ -21,6 +21,7 @@ MAY_IMPORT = {
     "export": {"export"} | STUDIES,
     "wire": {"wire", "export", "paper"} | STUDIES,
     "api": {"api", "wire", "paper"} | STUDIES,
+    "commands": {"commands", "wire"} | STUDIES,
     "public": {"public", "api", "paper"} | STUDIES,
 }
 

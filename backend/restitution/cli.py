@@ -32,7 +32,8 @@ from restitution.api.settings import (
 from restitution.api.warm import warm as warm_kernels
 from restitution.api.warm import warm_rest
 from restitution.bounds import annotations
-from restitution.command_collide import collide
+from restitution.commands.collide import collide
+from restitution.commands.terminal import Program, say_json
 from restitution.errors import RestitutionError
 from restitution.studies.accuracy.report import tradeoff_report
 from restitution.studies.accuracy.scenes import SCENES, SceneName
@@ -47,7 +48,6 @@ from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.studies.tables.largest_error import BASES, ErrorBasis
-from restitution.terminal import Program, say_json
 from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query

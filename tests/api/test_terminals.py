@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from restitution.cli import main
-from restitution.terminal import in_words
+from restitution.commands.terminal import in_words
 
 PAGES = ["cp1252", "cp850", "cp437", "ascii"]
 BALL = ["--radius", ".02", "--density", "7850", "--youngs-modulus", "2e11", "--poisson-ratio", ".3"]

@@ -7,9 +7,9 @@ from typing import Any, BinaryIO, TypeVar
 
 import click
 
+from restitution.commands.terminal import say_json
 from restitution.errors import RestitutionError
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
-from restitution.terminal import say_json
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import formed
 from restitution.wire.impact_options import OPTIONS, told_body
