@@ -13,6 +13,13 @@ export const SYMBOLS = {
   friction_coefficient: "<var>μ</var>",
   tangential_stiffness_n_per_m: "<var>k</var><sub>t</sub>",
   dissipative_constant_s: "<var>A</var>",
+  normal_restitution: "<var>ε</var><sub>n</sub>",
+  density_kg_m3: "<var>ρ</var>",
+  poisson_ratio: "<var>ν</var>",
+  radius_2_m: "<var>R</var><sub>2</sub>",
+  density_2_kg_m3: "<var>ρ</var><sub>2</sub>",
+  youngs_modulus_2_pa: "<var>Y</var><sub>2</sub>",
+  poisson_ratio_2: "<var>ν</var><sub>2</sub>",
   tangential_force_over_mu: "<var>F</var><sub>t</sub>\u2009/\u2009<var>μ</var>",
   normal_force: "<var>F</var><sub>n</sub>",
 };
@@ -68,6 +75,13 @@ export const PLAIN_SYMBOLS = {
   friction_coefficient: "μ",
   tangential_stiffness_n_per_m: "k_t",
   dissipative_constant_s: "A",
+  normal_restitution: "ε_n",
+  density_kg_m3: "ρ",
+  poisson_ratio: "ν",
+  radius_2_m: "R_2",
+  density_2_kg_m3: "ρ_2",
+  youngs_modulus_2_pa: "Y_2",
+  poisson_ratio_2: "ν_2",
 };
 
 /** What texts in several languages name a symbol by, and the letters it stands for. */

@@ -2,7 +2,7 @@
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
-import { IMPACT_PARAMETERS, impactOf, INERTIAS } from "./impact.js";
+import { IMPACT_PARAMETERS, impactOf, INERTIAS, SECONDS } from "./impact.js";
 import { LANGUAGES } from "./language.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
@@ -131,9 +131,14 @@ export function readAddress(search) {
  */
 function readImpact(query, problems) {
   const inertia = query.has("inertia") ? readWord(query, "inertia", INERTIAS, problems) : null;
-  const impact = { ...impactOf(query.get("material") ?? USUAL_MATERIAL), inertia };
+  const second = query.has("second") ? readWord(query, "second", SECONDS, problems) : null;
+  const impact = { ...impactOf(query.get("material") ?? USUAL_MATERIAL), inertia, second };
   for (const parameter of IMPACT_PARAMETERS) {
     impact[parameter.key] = readNumber(query, parameter, problems);
+  }
+  if (impact.normal_restitution !== null && impact.dissipative_constant_s !== null) {
+    problems.push("ε_n and A tell the same: ε_n is taken");
+    impact.dissipative_constant_s = null;
   }
   return impact;
 }

@@ -48,6 +48,7 @@ SIZES = [(320, 568), (390, 844), (568, 320), (820, 1180), (1440, 900), (1920, 10
 OPTIONS = ["map", "scale", "embed", "scene", "theme", "tolerance", "method", "__proto__", "x"]
 OPTIONS += ["steps", "rtol", "integrator", "region", "statistic", "wanted_error"]
 OPTIONS += ["alpha", "material", "inertia", "velocity_law", *IMPACT_PARAMETERS.values()]
+OPTIONS += ["second", "normal_restitution", "density_kg_m3", "poisson_ratio", "radius_2_m"]
 
 # What a browser says of a request that was cut off, or of WebGL without a graphics card, is no
 # fault of the page.

@@ -185,3 +185,66 @@ def test_an_impact_that_is_refused_is_not_shown_as_another(page: Page, server: s
     field.press("Enter")
     eventually(lambda: shows(page, answer), page)
     expect(page.get_by_test_id("impact-refusal")).to_be_empty()
+
+
+MORE = ("normal-restitution", "density-kg-m3", "poisson-ratio", "radius-2-m", "poisson-ratio-2")
+
+
+def test_the_rest_of_the_bodies_is_folded_away_until_it_is_wanted(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel-mindlin")
+    material = materials(server)["steel-mindlin"]
+    eventually(lambda: shows(page, post(server, "scaling", body_of(material))), page)
+    for name in MORE:
+        expect(page.get_by_test_id(f"{name}-field")).to_have_count(0)
+    page.get_by_test_id("more-bodies").locator("summary").click()
+    for name in MORE:
+        expect(page.get_by_test_id(f"{name}-field")).to_be_visible()
+    # what follows from the dissipative constant
+    expect(page.get_by_test_id("normal-restitution-field")).to_have_value("1")
+    expect(page.get_by_test_id("density-kg-m3-field")).to_have_value("7850")
+    assert "density" not in page.url
+    assert "second" not in page.url
+
+
+def test_a_normal_restitution_stands_in_for_the_dissipative_constant(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel-mindlin&dissipative_constant_s=1e-6")
+    material = materials(server)["steel-mindlin"]
+    page.get_by_test_id("more-bodies").locator("summary").click()
+    field = page.get_by_test_id("normal-restitution-field")
+    field.fill("0.9")
+    field.press("Enter")
+    body = body_of(material)
+    del body["dissipative_constant_s"]
+    answer = post(server, "scaling", body | {"normal_restitution": 0.9})
+    eventually(lambda: shows(page, answer), page)
+    assert answer["epsilon_t"] == pytest.approx(0.42297039, abs=5e-9)
+    assert "normal_restitution=0.9" in page.url
+    assert "dissipative_constant_s" not in page.url
+    settle(page, server)
+    constant = page.get_by_test_id("dissipative-constant-s-field")
+    assert float(constant.input_value()) == pytest.approx(2.314e-6)
+    # set by hand again, that holds
+    constant.fill("0")
+    constant.press("Enter")
+    eventually(lambda: shows(page, post(server, "scaling", body_of(material))), page)
+    assert "normal_restitution" not in page.url
+
+
+def test_a_second_body_of_its_own_is_in_the_address_and_unfolded_there(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel-mindlin&density_kg_m3=2500&radius_2_m=0.01")
+    material = materials(server)["steel-mindlin"]
+    first = material["body_1"] | {"density_kg_m3": 2500}
+    body = body_of(material) | {"body_1": first, "body_2": first | {"radius_m": 0.01}}
+    eventually(lambda: shows(page, post(server, "scaling", body)), page)
+    expect(page.get_by_test_id("radius-2-m-field")).to_be_visible()
+    page.get_by_test_id("second").locator("[value=wall]").check()
+    wall = {"wall": True, **{n: first[n] for n in ("youngs_modulus_pa", "poisson_ratio")}}
+    eventually(lambda: shows(page, post(server, "scaling", body | {"body_2": wall})), page)
+    assert "second=wall" in page.url
+    expect(page.get_by_test_id("radius-2-m-field")).to_be_hidden()
+    expect(page.get_by_test_id("poisson-ratio-2-field")).to_be_visible()
+
+
+def test_an_address_that_tells_the_damping_twice_is_told_so(page: Page):
+    page.goto("/?normal_restitution=0.9&dissipative_constant_s=1e-6")
+    expect(page.get_by_test_id("notice")).to_contain_text("ε_n and A tell the same: ε_n is taken")

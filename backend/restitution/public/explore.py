@@ -21,6 +21,9 @@ SPHERES = (
     "friction_coefficient",
     "tangential_stiffness_n_per_m",
     "dissipative_constant_s",
+    "normal_restitution",
+    *("density_kg_m3", "poisson_ratio", "second"),
+    *("radius_2_m", "density_2_kg_m3", "youngs_modulus_2_pa", "poisson_ratio_2"),
 )
 PAGE = (
     *("scene", "step", "embed", "theme", "lang", "notes", "handout"),

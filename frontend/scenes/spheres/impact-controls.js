@@ -1,6 +1,6 @@
 // @ts-check
 
-import { IMPACT_PARAMETERS, impactOf, valuesOf } from "../../state/impact.js";
+import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { mountParameterControl } from "../../widgets/parameter-control.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -10,6 +10,15 @@ import { typeset } from "../../widgets/typeset.js";
  * @typedef {import("../../state/impact.js").ImpactKey} ImpactKey
  * @typedef {import("../../state/impact.js").Material} Material
  */
+
+/** Each told by the other: one of them is set. @type {Partial<Record<ImpactKey, ImpactKey>>} */
+const INSTEAD_OF = {
+  normal_restitution: "dissipative_constant_s",
+  dissipative_constant_s: "normal_restitution",
+};
+
+/** What a wall does not have. */
+const OF_SPHERE = ["radius_2_m", "density_2_kg_m3"];
 
 /**
  * The material by name, and what of the impact is set by hand.
@@ -23,16 +32,47 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
   const inertia = byTestId("inertia", element);
   const source = find(".preset-source", element);
   const parent = find(".impact-parameters", element);
+  const more = /** @type {HTMLDetailsElement} */ (byTestId("more-bodies", element));
+  const second = byTestId("second", element);
   /** What the material says. @type {Record<ImpactKey, number | null> | null} */
   let usual = null;
   let usualInertia = "";
-  const controls = IMPACT_PARAMETERS.map((parameter) => ({
-    key: parameter.key,
-    ...mountParameterControl(parent, parameter, (value, change) => {
+  let usualSecond = "";
+  /** What is drawn again when the rest is unfolded. */
+  let drawAgain = () => {};
+  const controls = IMPACT_PARAMETERS.filter(({ folded }) => !folded).map((parameter) =>
+    control(parent, parameter),
+  );
+
+  /**
+   * @param {HTMLElement} place
+   * @param {import("../../state/impact.js").ImpactParameter} parameter
+   */
+  function control(place, parameter) {
+    const { key } = parameter;
+    const mounted = mountParameterControl(place, parameter, (value, change) => {
+      const other = INSTEAD_OF[key];
       // What the material says anyway is not set by hand.
-      onChange({ [parameter.key]: value === usual?.[parameter.key] ? null : value }, change);
-    }),
-  }));
+      const set = value === usual?.[key] ? null : value;
+      onChange({ [key]: set, ...(other ? { [other]: null } : {}) }, change);
+    });
+    return { key, root: /** @type {HTMLElement} */ (place.lastElementChild), ...mounted };
+  }
+
+  function unfold() {
+    const place = find(".impact-parameters", more);
+    if (more.open && place.children.length === 0) {
+      const folded = IMPACT_PARAMETERS.filter((parameter) => parameter.folded);
+      controls.push(...folded.map((parameter) => control(place, parameter)));
+      drawAgain();
+    }
+  }
+
+  more.addEventListener("toggle", unfold);
+  second.addEventListener("change", (event) => {
+    const { value } = /** @type {HTMLInputElement} */ (event.target);
+    onChange({ second: value === usualSecond ? null : value });
+  });
   choice.addEventListener("change", () => onMaterial(choice.value));
   inertia.addEventListener("change", (event) => {
     const { value } = /** @type {HTMLInputElement} */ (event.target);
@@ -48,16 +88,31 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
     /**
      * @param {Material} material
      * @param {Impact} impact
-     * @param {number} stiffness where it is Mindlin's, what that is
+     * @param {Partial<Record<ImpactKey, number>>} workedOut what the service has worked out
      */
-    show(material, impact, stiffness) {
+    show(material, impact, workedOut) {
+      drawAgain = () => this.show(material, impact, workedOut);
       choice.value = material.id;
-      usual = valuesOf(material, impactOf(material.id));
+      usual = usualOf(material, impact);
       usualInertia = material.body_1.inertia;
+      usualSecond = secondOf(material, impactOf(material.id));
+      // What is set is not hidden.
+      more.open ||=
+        impact.second !== null ||
+        IMPACT_PARAMETERS.some(({ key, folded }) => folded && impact[key] !== null);
+      unfold();
       const values = valuesOf(material, impact);
-      for (const { key, show } of controls) {
-        show(values[key] ?? rounded(stiffness), usual[key], { isWorkedOut: values[key] === null });
+      const isWall = secondOf(material, impact) === "wall";
+      for (const { key, root, show } of controls) {
+        root.hidden = isWall && OF_SPHERE.includes(key);
+        if (!root.hidden) {
+          show(values[key] ?? rounded(workedOut[key] ?? NaN), usual[key], {
+            isWorkedOut: values[key] === null,
+          });
+        }
       }
+      const kind = find(`[value="${isWall ? "wall" : "sphere"}"]`, second);
+      /** @type {HTMLInputElement} */ (kind).checked = true;
       const spread = find(`[value="${impact.inertia ?? usualInertia}"]`, inertia);
       /** @type {HTMLInputElement} */ (spread).checked = true;
       typeset(source, `${material.source} · ${material.notes}`);
@@ -65,7 +120,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
   };
 }
 
-/** Mindlin's stiffness, which is worked out, to four digits. @param {number} value */
+/** What is worked out, to four digits. @param {number} value */
 function rounded(value) {
   return Number(value.toPrecision(4));
 }

@@ -5,7 +5,7 @@ import { mapFigure } from "../../figures/map-figure.js";
 import { MAP_MARGIN } from "../../figures/plot-area.js";
 import { mapTable } from "../../figures/tables.js";
 import { createFollower, isSame } from "../../state/follower.js";
-import { contactBody, impactOf, valuesOf, velocityView } from "../../state/impact.js";
+import { contactBody, impactOf, valuesOf, velocityView, workedOut } from "../../state/impact.js";
 import { axesFor, horizontalAxis, placeOnMap, rowsOf, sameAxes } from "../../state/map-view.js";
 import { collisionOfImpact, SOLID_ALPHA } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";
@@ -234,7 +234,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     const { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential } = velocitiesOf(
       valuesOf(material, state.impact),
     );
-    controls.show(material, state.impact, shown.scaling?.tangential_stiffness_n_per_m ?? NaN);
+    controls.show(material, state.impact, workedOut(shown.scaling));
     velocities.options(state);
     velocities.point({ normal, tangential });
     if (
