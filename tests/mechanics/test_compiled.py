@@ -131,3 +131,25 @@ def test_a_process_that_compiles_answers_as_one_that_loads(tmp_path):
         for _ in ("compiled", "loaded")
     }
     assert len(answers) == 1
+
+
+TOGETHER = """
+from concurrent.futures import ThreadPoolExecutor
+
+import restitution
+
+with ThreadPoolExecutor(8) as pool:
+    print(*pool.map(lambda _: float(restitution.epsilon_t(18.0, 1.4, 5.6)), range(8)))
+"""
+
+
+@pytest.mark.verify
+def test_threads_that_are_the_first_to_ask_at_the_same_time_are_all_answered(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-c", TOGETHER],
+        env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
+        check=True,
+        capture_output=True,
+        text=True,
+    )
+    assert done.stdout.split() == ["0.5"] * 8

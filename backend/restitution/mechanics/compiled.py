@@ -32,41 +32,40 @@ another file does; a cache folder named after all sources cannot go stale.
 CACHE_FOLDER, ABOUT_FOLDER = cache.find_folder(MODEL_VERSION)
 """Where what is derived from the sources is kept, "" if nowhere; what is to be told of it."""
 
-_making = threading.RLock()
-"""Held while a kernel is made: one that is made twice would be compiled twice."""
-
 _choices: list[Callable[[], None]] = []
-"""What is to be done before the next kernel is compiled."""
+"""What is to be done before another kernel is compiled."""
+
+_choosing = threading.Lock()
 
 
 class _Kernel:
     """A function that numba compiles when Python, or a kernel that is compiled, calls it."""
+
+    _machine: Any = None
 
     def __init__(self, function: Callable[..., Any], *, always_inline: bool) -> None:
         functools.update_wrapper(self, function)
         self.py_func = function
         self._always_inline = always_inline
 
-    @functools.cached_property
-    def _machine(self) -> Any:
+    def _made(self) -> Any:
         # a third of a second that an import need not take
         from restitution.mechanics import kernels  # noqa: PLC0415
 
-        with _making:
-            if "_machine" not in vars(self):
-                while _choices:
-                    _choices.pop()()
-                made = kernels.compile_lazily(self.py_func, always_inline=self._always_inline)
-                vars(self)["_machine"] = made
-            return vars(self)["_machine"]
+        with _choosing:
+            while _choices:
+                _choices.pop()()
+        made = kernels.compile_lazily(self.py_func, always_inline=self._always_inline)
+        # of several threads the first: it compiles for all
+        return vars(self).setdefault("_machine", made)
 
     def __call__(self, *given: Any) -> Any:
-        return self._machine(*given)
+        return (self._machine or self._made())(*given)
 
     @property
     def _numba_type_(self) -> Any:
         """What numba takes it for where another kernel calls it."""
-        return self._machine._numba_type_
+        return (self._machine or self._made())._numba_type_
 
 
 def compiled(function: Function) -> Function:
