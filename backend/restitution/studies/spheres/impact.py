@@ -41,7 +41,7 @@ class SpeedAndAngle:
 
     Examples
     --------
-    >>> SpeedAndAngle(speed_m_s=3.9, angle_deg=30.0).velocities.tangential_velocity_m_s
+    >>> round(SpeedAndAngle(speed_m_s=3.9, angle_deg=30.0).velocities.tangential_velocity_m_s, 12)
     1.95
     """
 
