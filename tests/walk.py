@@ -2,6 +2,7 @@
 
 import doctest
 import os
+import re
 import sys
 import webbrowser
 from pathlib import Path
@@ -9,6 +10,14 @@ from pathlib import Path
 import matplotlib as mpl
 
 WALK = Path(__file__).parents[1] / "docs" / "python-walk.md"
+
+
+class Fenced(doctest.DocTestParser):
+    """Reads lines in fences, of which doctest knows nothing."""
+
+    def parse(self, string, name="<string>"):
+        """Return what is said and what is run."""
+        return super().parse(re.sub(r"^```.*", "", string, flags=re.MULTILINE), name)
 
 
 def main(folder: Path) -> int:
@@ -20,7 +29,7 @@ def main(folder: Path) -> int:
     mpl.rcParams["svg.hashsalt"] = WALK.name
     # `explore` shall open nothing here
     webbrowser.open = lambda _: True
-    failures, tried = doctest.testfile(str(WALK), module_relative=False)
+    failures, tried = doctest.testfile(str(WALK), module_relative=False, parser=Fenced())
     print(f"{tried} lines, {failures} failures")
     return failures
 
