@@ -24,7 +24,7 @@ WITH_NGINX := NGINX="$$($(SET_UP) nginx)" && export NGINX &&
 WITH_MORE := APACHE2="$$($(SET_UP) apache2)" FIREFOX_ESR="$$($(SET_UP) firefox-esr)" && export APACHE2 FIREFOX_ESR &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots pictures types fonts lock clean
+.PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots docs pictures types fonts lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -91,6 +91,9 @@ lowest: $(DEVELOPMENT) ## the numerics' tests with the oldest versions of numpy,
 
 screenshots: $(DEVELOPMENT) ## pictures of every scene, in three sizes and both themes
 	$(WITH_CHROMIUM) PYTHONPATH=tests $(BIN)/python tests/browser/screenshots.py
+
+docs: $(DEVELOPMENT) ## the guide, a site made of docs/ in build/guide, which the server shows at /guide
+	@$(BIN)/python deploy/make_guide.py build/guide
 
 pictures: $(DEVELOPMENT) ## those of docs/python-walk.md, by its own lines
 	@mkdir -p docs/pictures && $(BIN)/python tests/walk.py docs/pictures

@@ -147,6 +147,34 @@ def test_report_on_speed_and_accuracy_is_that_of_the_stored_measurement():
     assert report == tradeoff_report(load_tradeoff())
 
 
+def test_guide_is_refused_with_a_dead_link_a_lost_document_or_a_name_without_words(tmp_path):
+    docs, site = tmp_path / "docs", tmp_path / "site"
+    docs.mkdir()
+    site.mkdir()
+    (docs / "index.md").write_text("# A\n\n## B\n\n* [Reference](reference.md)\n")
+    (docs / "lost.md").write_text("# Lost\n\n[nowhere](nowhere.md), [neither](index.md#neither)\n")
+    (docs / "reference.md").write_text(
+        "# R\n\n```{eval-rst}\n.. currentmodule:: restitution\n\n"
+        ".. autoclass:: restitution.studies.accuracy.tradeoff.WantedError\n```\n"
+    )
+    script = ROOT / "deploy" / "make_guide.py"
+    done = subprocess.run(
+        [sys.executable, script, site, docs], capture_output=True, text=True, check=False
+    )
+    assert done.returncode != 0
+    for complaint in [
+        "lost.md: WARNING: document isn't included in any toctree",
+        "target not found: 'nowhere.md'",
+        "'neither'",
+        "restitution.trace is not in docs/reference.md",
+        "WantedError.needed is explained nowhere",
+    ]:
+        assert complaint in done.stderr, done.stderr
+    # what was there stays
+    assert set(tmp_path.iterdir()) == {docs, site}
+    assert list(site.iterdir()) == []
+
+
 def test_no_document_names_a_place_on_a_machine():
     for document in DOCUMENTS:
         found = re.search(r"(?<![\w.])/(home|root|work|Users)/", document.read_text())

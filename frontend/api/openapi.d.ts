@@ -810,6 +810,10 @@ export interface components {
          *
          *     Attributes
          *     ----------
+         *     scene : str
+         *         The region of collisions, as ``"figure4"``.
+         *     measured_at, machine, model_version : str
+         *         Date; processor and libraries; a hash of the code that was measured.
          *     steps : list of WantedError
          *         For some wanted errors.
          *     rows : list of Row
@@ -838,7 +842,12 @@ export interface components {
         MixedMethod: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode" | "mixed";
         /**
          * Moment
-         * @description A moment of inertia J in kg m² of one's own.
+         * @description A moment of inertia of one's own.
+         *
+         *     Attributes
+         *     ----------
+         *     moment_kg_m2 : float
+         *         J in kg m².
          */
         Moment: {
             /** Moment Kg M2 */
@@ -952,10 +961,16 @@ export interface components {
         };
         /**
          * Preset
-         * @description A collision with a name; `alpha` is the α with which κ and μ/α were formed.
+         * @description A collision with a name.
          *
          *     Attributes
          *     ----------
+         *     id, title : str
+         *         Its name in `PRESETS` and for people.
+         *     alpha : float
+         *         The α with which κ and μ/α were formed.
+         *     source : str
+         *         Where the numbers are from.
          *     link : str
          *         Address of the page, from its question mark on, that shows it.
          *     caption : str
@@ -1565,7 +1580,12 @@ export interface components {
         };
         /**
          * Wall
-         * @description A flat body that neither yields way nor turns; attributes as of `Sphere`.
+         * @description A flat body that neither yields way nor turns.
+         *
+         *     Attributes
+         *     ----------
+         *     youngs_modulus_pa, poisson_ratio, yield_stress_pa
+         *         As of `Sphere`.
          */
         Wall: {
             /** Youngs Modulus Pa */
@@ -1907,7 +1927,12 @@ export interface components {
          * SpeedAndAngle
          * @description An impact by speed and angle at the point of contact, without spin those of the centre.
          *
-         *     g_n and g_t are speed × cosine and sine of the angle.
+         *     Attributes
+         *     ----------
+         *     speed_m_s : float
+         *         √(g_n² + g_t²) in m/s.
+         *     angle_deg : float
+         *         That of the velocity to the normal, so that tan of it is g_t/g_n.
          */
         SpeedAndAngle: {
             /** Speed M S */

@@ -55,6 +55,12 @@ def test_without_its_slash_the_path_leads_to_it(base: str):
     assert urllib.parse.urljoin(base, headers["location"]) in (f"{base}/", f"{base}/?")
 
 
+def test_the_guide_is_found_without_its_slash(base: str):
+    status, headers, _ = ask(f"{base}/guide")
+    assert status == 307
+    assert urllib.parse.urljoin(f"{base}/guide", headers["location"]) == f"{base}/guide/"
+
+
 @pytest.mark.parametrize("path", ["", "docs", "redoc"])
 def test_what_a_page_names_is_there(base: str, path: str):
     _, _, body = ask(f"{base}/{path}")

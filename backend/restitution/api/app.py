@@ -11,6 +11,7 @@ from fastapi import FastAPI
 
 from restitution.api import document, problems
 from restitution.api.admission import Admission
+from restitution.api.guide import add_guide
 from restitution.api.observing import LOGGER, observe, set_up_log
 from restitution.api.page import add_page, compress_page
 from restitution.api.reference_pages import add_reference_pages
@@ -58,6 +59,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(BelowPath, settings.root_path, settings.forwarded_allow_ips)
     document.install(app, [body for room in ROOMS for body in room.calls.bodies])
     add_reference_pages(app)
+    add_guide(app)
     add_page(app, settings.frontend_directory)
     return app
 

@@ -67,17 +67,20 @@ def add_reference_pages(app: FastAPI) -> None:
 
 
 def _page(made: HTMLResponse, more: str = "") -> HTMLResponse:
-    """Return a page under a policy that allows its own inline script and no other."""
     html = bytes(made.body)
+    rules = policy(html, f"{more}form-action 'none'; frame-ancestors 'self'")
+    return HTMLResponse(html, headers={"Content-Security-Policy": rules, **CACHED})
+
+
+def policy(html: bytes, more: str) -> str:
+    """Return a policy for a page that allows its own inline scripts and no other."""
     inline = re.findall(rb"<script>(.*?)</script>", html, re.DOTALL)
     hashes = [base64.b64encode(hashlib.sha256(script).digest()).decode() for script in inline]
     scripts = " ".join(["'self'", *(f"'sha256-{digest}'" for digest in hashes)])
-    policy = (
+    return (
         f"default-src 'none'; script-src {scripts}; style-src 'self' 'unsafe-inline'; "
-        f"img-src 'self' data:; connect-src 'self'; {more}"
-        "base-uri 'none'; form-action 'none'; frame-ancestors 'self'"
+        f"img-src 'self' data:; connect-src 'self'; base-uri 'none'; {more}"
     )
-    return HTMLResponse(html, headers={"Content-Security-Policy": policy, **CACHED})
 
 
 @functools.cache

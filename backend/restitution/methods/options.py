@@ -35,8 +35,8 @@ class Options:
     method : str
         ``auto`` or the name of a method.
     steps, integrator, phase : int, str, float
-        Steps per contact of ``timestep``, how it takes them (`mechanics.stepping`), and where in
-        a step the contact begins.
+        Steps per contact of ``timestep``, how it takes them, and where in a step the contact
+        begins.
     rtol : float
         Relative tolerance of ``ode``.
     floor : float

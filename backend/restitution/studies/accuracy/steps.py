@@ -104,11 +104,13 @@ class StepsStudy(Tabular):
         √κ t_c/2, the steps per contact below which a swing of the spring gains energy; of a region
         for its stiffest collision.
     needed : dict
-        Integrator → `Needed`.
+        Integrator → `p95` and `worst`, the steps from which on the error is met in 95 % of contacts
+        and in all.
     rule_steps : tuple of float
         The fewest and the most steps by the rule 50 √κ.
     rule : dict
-        Integrator → `Spread` of the errors by that rule, if it asks for no more than `MOST_STEPS`.
+        Integrator → `error_median`, `error_p95` and `error_max` by that rule, if it asks for no
+        more than a million steps.
     ladder : list of (integrator, steps, Spread)
         What was measured.
 

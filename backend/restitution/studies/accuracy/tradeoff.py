@@ -88,6 +88,10 @@ class Measurement:
 
     Attributes
     ----------
+    scene : str
+        The region of collisions, as ``"figure4"``.
+    measured_at, machine, model_version : str
+        Date; processor and libraries; a hash of the code that was measured.
     steps : list of WantedError
         For some wanted errors.
     rows : list of Row

@@ -15,7 +15,15 @@ Scale = Literal["linear", "log"]
 class Axis:
     """`count` values from `minimum` to `maximum`, on a ``linear`` or ``log`` scale.
 
-    `prefix` stands before minimum, maximum and count in messages about them.
+    Attributes
+    ----------
+    minimum, maximum : float
+        First and last value, > 0 on a log scale.
+    count : int
+        How many.
+    scale : ``"linear"`` or ``"log"``
+    prefix, suffixes : str, tuple of str
+        What minimum and maximum are called in messages about them.
 
     Raises
     ------

@@ -12,10 +12,16 @@ SOLID = 2.0 / 7.0
 
 @dataclass(frozen=True)
 class Preset:
-    """A collision with a name; `alpha` is the α with which κ and μ/α were formed.
+    """A collision with a name.
 
     Attributes
     ----------
+    id, title : str
+        Its name in `PRESETS` and for people.
+    alpha : float
+        The α with which κ and μ/α were formed.
+    source : str
+        Where the numbers are from.
     link : str
         Address of the page, from its question mark on, that shows it.
     caption : str

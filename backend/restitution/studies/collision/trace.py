@@ -48,7 +48,7 @@ class TraceStudy(Tabular):
     collision : CollisionStudy
         The collision itself.
     columns : dict of str to ndarray, shape (samples + switches,)
-        Of `COLUMNS`, those asked for, in scaled units.
+        Those asked for of `trace`, in scaled units.
     switch_times : ndarray, shape (switches,)
         Instants of the switches; each is also among the samples.
     method_columns : dict of str to ndarray

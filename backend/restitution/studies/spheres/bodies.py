@@ -25,7 +25,12 @@ PoissonRatio = Annotated[float, Gt(-1), Le(0.5)]
 
 @checked
 class Moment:
-    """A moment of inertia J in kg m² of one's own.
+    """A moment of inertia of one's own.
+
+    Attributes
+    ----------
+    moment_kg_m2 : float
+        J in kg m².
 
     Examples
     --------
@@ -88,7 +93,12 @@ class Sphere:
 
 @checked
 class Wall:
-    """A flat body that neither yields way nor turns; attributes as of `Sphere`.
+    """A flat body that neither yields way nor turns.
+
+    Attributes
+    ----------
+    youngs_modulus_pa, poisson_ratio, yield_stress_pa
+        As of `Sphere`.
 
     Examples
     --------

@@ -144,7 +144,7 @@ class Contact:
         normal_velocity_m_s, tangential_velocity_m_s : Axis
             g_n > 0, n values, and g_t ≥ 0, k values, in m/s.
         quantities : collection of str, optional
-            Of `many.QUANTITIES`.
+            As of `cut`.
         tolerance : float, optional
             Largest absolute error wanted in ε_t.
 

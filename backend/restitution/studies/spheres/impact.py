@@ -37,7 +37,12 @@ class Velocities:
 class SpeedAndAngle:
     """An impact by speed and angle at the point of contact, without spin those of the centre.
 
-    g_n and g_t are speed × cosine and sine of the angle.
+    Attributes
+    ----------
+    speed_m_s : float
+        √(g_n² + g_t²) in m/s.
+    angle_deg : float
+        That of the velocity to the normal, so that tan of it is g_t/g_n.
 
     Examples
     --------

@@ -70,9 +70,16 @@ class Material:
 
     Attributes
     ----------
+    id, title : str
+        Its name in `MATERIALS` and for people.
+    contact : Contact
+        The two bodies and the laws of their contact.
+    impact : Velocities
+        That to begin with.
     source, notes : str
         Where the numbers are from, and what is not from there.
     measured : Measured or None
+        `points`, the impacts that were measured, and the `convention` of their numbers.
 
     Examples
     --------

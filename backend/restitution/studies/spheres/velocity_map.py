@@ -44,7 +44,7 @@ class VelocityMap(Tabular):
     tangential_velocity_m_s : ndarray, shape (k,)
     mu_over_alpha : float
     scales : dict of str to ndarray, shape (n,)
-        `OF_NORMAL_VELOCITY`.
+        What depends on the normal velocity alone, as κ and the duration of the contact.
     batch : BatchStudy
         Columns of length k n, the normal velocity fastest.
 

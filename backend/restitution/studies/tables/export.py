@@ -40,13 +40,13 @@ class RestitutionTable(TableGrid, Tabular):
     Attributes
     ----------
     epsilon_t : ndarray, shape (psi.count, kappa.count) or (damping.count, psi.count, kappa.count)
-        Entries, rounded to `DIGITS` decimals, in the given sign.
+        Entries, rounded as its files have them, in the given sign.
     sign : str
         ``paper``: +1 for smooth spheres; ``reversed``: −1 for smooth spheres.
     largest_error : float
         Of interpolation in the coordinates in which the grid is equidistant.
     error_basis : str
-        What that rests on: ``proven``, ``measured slope`` or ``sampled``; see `BASES`.
+        What that rests on: ``proven``, ``measured slope`` or ``sampled``.
     slides_above : float
         ψ from which on 1 − 2/ψ is exact for every κ of the grid; NaN if the grid ends below, and
         with damping, where every collision sticks at first.
