@@ -11,9 +11,17 @@ COPY requirements.lock /build/
 RUN /app/venv/bin/pip install --no-cache-dir --compile --require-hashes --requirement /build/requirements.lock
 COPY deploy/slim /build/
 RUN /build/slim /app/venv
+COPY requirements-docs.lock /build/
+RUN python -m venv /guide \
+    && /guide/bin/pip install --no-cache-dir --require-hashes --requirement /build/requirements-docs.lock
 COPY pyproject.toml LICENSE README.md /build/
 COPY backend /build/backend
 COPY frontend /build/frontend
+COPY docs /build/docs
+COPY deploy /build/deploy
+# Its tools stay behind in this stage; the installation below takes it into the package.
+RUN PYTHONPATH=/build/backend:/app/venv/lib/python3.11/site-packages \
+    /guide/bin/python /build/deploy/make_guide.py /build/build/guide
 # The kernels' cache knows a source by its time, of which an image layer keeps whole seconds only.
 RUN /app/venv/bin/pip install --no-cache-dir --no-compile --no-deps --no-build-isolation /build \
     && find /app/venv/lib/python3.11/site-packages/restitution -name '*.py' -exec touch --date=@1700000000 {} + \

@@ -13,7 +13,7 @@ MODULES := node_modules/.package-lock.json
 INSTALL := $(BIN)/python -m pip --quiet --disable-pip-version-check install --compile
 # npm scripts find the environment's Node, never the machine's.
 NPM := PATH="$(CURDIR)/$(BIN):$$PATH" $(BIN)/npm
-LOCK := $(BIN)/uv pip compile --quiet pyproject.toml --universal --python-version 3.11 \
+LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 \
 	--generate-hashes --no-emit-index-url --no-header
 # Tests of a file share its servers, and two files run at a time; those with the most tests are not
 # those that take the longest.
@@ -80,10 +80,10 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
 	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_MORE) $(BIN)/python tests/verify.py
 
-wheel: $(DEVELOPMENT) ## dist/restitution-….whl: library, service and page, for pip install
+wheel: docs ## dist/restitution-….whl: library, service, page and guide, for pip install
 	@$(BIN)/python -m pip --quiet --disable-pip-version-check wheel --no-deps --no-build-isolation --wheel-dir dist .
 
-release-check: $(DEVELOPMENT) ## a rehearsed release: wheel, metadata, every Python that is here, image
+release-check: docs ## a rehearsed release: wheel, metadata, every Python that is here, image
 	@PYTHONPATH=tests $(BIN)/python tests/release.py release
 
 lowest: $(DEVELOPMENT) ## the numerics' tests with the oldest versions of numpy, numba and the others
@@ -106,8 +106,10 @@ fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fo
 	@$(BIN)/python deploy/make_fonts.py
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
-	$(LOCK) --group build --output-file requirements.lock
-	$(LOCK) --group dev --extra cluster --extra notebook --constraints requirements.lock --output-file requirements-dev.lock
+	$(LOCK) pyproject.toml --group build --output-file requirements.lock
+	$(LOCK) pyproject.toml --group dev --extra cluster --extra notebook --constraints requirements.lock --output-file requirements-dev.lock
+	@# what the image makes its guide with
+	$(LOCK) --group docs --constraints requirements-dev.lock --output-file requirements-docs.lock
 	$(NPM) install --package-lock-only
 
 clean: ## remove the environment and whatever the tools left

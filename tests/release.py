@@ -150,7 +150,7 @@ def served(program: list[Path], name: str, folder: Path, environment: dict[str, 
     ):
         try:
             wait_until_ready(f"http://127.0.0.1:{port}", process, log)
-            for path in ("/", "/docs", "/redoc", "/assets/plotly.min.js"):
+            for path in ("/", "/docs", "/redoc", "/guide/", "/assets/plotly.min.js"):
                 with urllib.request.urlopen(f"http://127.0.0.1:{port}{path}") as answer:
                     check(answer.status == 200, f"{name}: serves {path}")
         finally:

@@ -108,6 +108,15 @@ def for_building_alone() -> set[str]:
     return found - {"restitution (pyproject.toml:build)"}
 
 
+def test_the_guide_of_the_image_is_made_with_what_the_tests_have_made_it_with():
+    locks = [(ROOT / f"requirements-{name}.lock").read_text() for name in ("docs", "dev")]
+    made, tried = (set(re.findall(r"^[\w-]+==[^\\]+", lock, re.MULTILINE)) for lock in locks)
+    assert made <= tried
+    assert "requirements-docs.lock" in BUILD
+    # where the installation of the package looks for it
+    assert BUILD.index("make_guide.py /build/build/guide") < BUILD.index("--no-deps")
+
+
 def test_bases_are_pinned_to_a_patch():
     (base,) = re.findall(r"^ARG PYTHON_IMAGE=(\S+)$", DOCKERFILE, re.MULTILINE)
     assert re.fullmatch(r"python:3\.11\.\d+-slim-bookworm", base)

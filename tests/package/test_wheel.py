@@ -115,7 +115,12 @@ def test_licence_files_are_all_that_the_tree_has(metadata):
 def test_wheel_has_every_file_of_package_and_page_and_no_other(wheel):
     with ZipFile(wheel) as archive:
         found = {name for name in archive.namelist() if ".dist-info/" not in name}
-    places = {ROOT / "backend": "", ROOT / "frontend": "restitution/frontend/"}
+    places = {
+        ROOT / "backend": "",
+        ROOT / "frontend": "restitution/frontend/",
+        # if `make docs` has made it
+        ROOT / "build" / "guide": "restitution/guide/",
+    }
     assert found == {
         place + str(path.relative_to(folder))
         for folder, place in places.items()
