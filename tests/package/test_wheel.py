@@ -69,7 +69,8 @@ def test_page_and_reference_pages_are_served(installed, tmp_path):
                 text = get(page).decode()
                 files = re.findall(r'(?:src|href)="(?!data:|https?:)([^"#]+)"', text)
                 assert len(files) >= least, page
-                for path in files:
+                # the guide is there only if it was made before the wheel
+                for path in set(files) - {"guide/"}:
                     assert get(path), path
             assert b"epsilon_t" in get("api/v1/collision?kappa=63&mu_over_alpha=1&gt_over_gn=1")
         finally:
