@@ -101,8 +101,8 @@ def members(_: Sphinx, kind: str, name: str, of: Any, __: Any, lines: list[str])
         if match := re.fullmatch(r"(\w+(?:, \w+)*)(?: : .*)?", lines[at]):
             names = match[1].split(", ")
             told |= set(names)
-            bounds = {_bounds(of, fields[each]) for each in names if each in fields} - {""}
-            if len(bounds) == 1:
+            bounds = {_bounds(of, fields[each]) for each in names if each in fields}
+            if len(bounds) == 1 and bounds != {""}:
                 lines[at] += (", " if " : " in match[0] else " : ") + bounds.pop()
     more = []
     for each in (name for name in fields if name not in told):

@@ -64,6 +64,12 @@ def test_no_link_leads_nowhere(guide: Path):
                 )
 
 
+def test_reference_tells_bounds_symbols_and_units_that_no_docstring_says(guide: Path):
+    text = re.sub(r"<[^>]+>", "", (guide / "reference.html").read_text())
+    assert "radius_m, youngs_modulus_pafloat, finite and &gt; 0" in text
+    assert re.search(r"maximum_normal_force_n\s*F_max: largest normal force in N", text)
+
+
 def test_search_finds_a_name_a_word_and_a_symbol(page: Page, server: str):
     witness = Witness(page, server)
     for asked, found in [
