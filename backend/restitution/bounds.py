@@ -9,7 +9,7 @@ import functools
 import math
 import sys
 import typing
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from numbers import Real
 from types import NoneType, UnionType
@@ -255,12 +255,21 @@ def as_float(value: object) -> float:
         return math.inf
 
 
+def misfits(of: Any, given: Mapping[str, Any]) -> Iterator[Misfit]:
+    """Yield which members of a class do not suit each other, by its rules and those it inherits.
+
+    A class says them as a static method `misfits` of what is given.
+    """
+    for each in reversed(getattr(of, "__mro__", ())):
+        if "misfits" in vars(each):
+            yield from each.misfits(given)
+
+
 def _settle_and_fit(made: Any) -> None:
     _settle(made)
-    if rules := getattr(made, "misfits", None):
-        given = {name: value for name, value in vars(made).items() if value is not None}
-        for name, words in rules(given):
-            raise ParameterError(name, given.get(name), words)
+    given = {name: value for name, value in vars(made).items() if value is not None}
+    for name, words in misfits(type(made), given):
+        raise ParameterError(name, given.get(name), words)
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))

@@ -48,7 +48,7 @@ from restitution.studies.spheres.walton import study_walton
 from restitution.studies.tables.export import study_table_as_wanted
 from restitution.studies.tables.grid import Sign, TableGrid
 from restitution.studies.tables.largest_error import BASES, ErrorBasis
-from restitution.wire.formats import CsvOptions, Decimal, Header, Result, Separator, formed
+from restitution.wire.formats import CsvOptions, Decimal, Header, Separator, in_one_piece
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query
 from restitution.wire.refusals import RefusedParametersError, sentences
@@ -185,10 +185,6 @@ def tradeoff(scenes: tuple[SceneName, ...], out: Path, report: Path | None) -> N
         report.write_text(tradeoff_report(load_tradeoff(out)), "utf-8")
 
 
-def _written(result: Result, form: str, options: CsvOptions | None = None) -> bytes:
-    return b"".join(formed(result, form, options=options)[1])
-
-
 main.add_command(collide)
 
 
@@ -280,7 +276,7 @@ def table(
         )
     except RestitutionError as refused:
         raise click.ClickException(str(refused)) from refused
-    out.write(_written(table_result(found), query.format, query))
+    out.write(in_one_piece(table_result(found), query.format, query))
     counts = " × ".join(str(count) for count in reversed(found.shape))
     _say_error(f"{counts} entries", found.largest_error, found.error_basis)
 

@@ -11,7 +11,7 @@ from restitution.commands.terminal import say_json
 from restitution.errors import RestitutionError
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
 from restitution.wire.bodies import ScalingBody
-from restitution.wire.formats import formed
+from restitution.wire.formats import in_one_piece
 from restitution.wire.impact_options import OPTIONS, told_body
 from restitution.wire.neighbours import neighbour
 from restitution.wire.parsing import in_utf8, parse_nested
@@ -81,7 +81,7 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
     except (MalformedBodyError, RestitutionError) as refused:
         raise click.ClickException(str(refused)) from refused
     if in_full:
-        say_json(b"".join(formed(scaling_result(study), "json")[1]))
+        say_json(in_one_piece(scaling_result(study), "json"))
     else:
         click.echo(_summary(study))
 

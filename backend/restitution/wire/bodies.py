@@ -98,8 +98,7 @@ class VelocityMapBody(Labels, Contact):
 
     @staticmethod
     def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
-        """Yield what is wrong with the bodies and the ends beside each other."""
-        yield from Contact.misfits(given)
+        """Yield what is wrong with the ends, and with the velocity of a damping."""
         yield from one_velocity_missing(given)
         for name in (NORMAL, TANGENTIAL):
             if isinstance(ends := given.get(name), Mapping):

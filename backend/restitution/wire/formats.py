@@ -95,6 +95,11 @@ def formed(
     return "application/json", iter([as_json(result.payload, encoding)])
 
 
+def in_one_piece(result: Result, form: str, options: CsvOptions | None = None) -> bytes:
+    """Return the bytes of `result` in a form, as a file holds them."""
+    return b"".join(formed(result, form, options=options)[1])
+
+
 def as_json(payload: Payload, encoding: str) -> bytes:
     """Return JSON; NaN and infinities are null, or NaN in base64."""
     if encoding == "base64":

@@ -66,9 +66,7 @@ class ComputedQuery(Damped, Options, FormQuery):
 
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
-        """Yield what is wrong with the form, and the damping beside other parameters."""
-        yield from CsvOptions.misfits(given)
-        yield from Damped.misfits(given)
+        """Yield what is wrong with the way beside the damping."""
         restitution = as_number(given.get("normal_restitution"), None)
         yield from no_way_with(given, 1.0 if restitution is None else restitution)
 
@@ -156,7 +154,6 @@ class CutQuery(ComputedQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
-        yield from ComputedQuery.misfits(given)
         along = given.get("along")
         if along not in CUTS:
             return
@@ -224,8 +221,7 @@ class MapQuery(KappaEdge, ComputedQuery):
 
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
-        """Yield what is wrong with the edges, the damping and the form."""
-        yield from ComputedQuery.misfits(given)
+        """Yield what is wrong with the edges."""
         yield from KAPPAS.misfits(given)
         yield from TANGENTIAL.misfits(given)
 
@@ -276,8 +272,6 @@ class TableQuery(Damped, KappaEdge, CsvOptions):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
-        yield from CsvOptions.misfits(given)
-        yield from Damped.misfits(given)
         yield from KAPPAS.misfits(given)
         yield from PSIS.misfits(given)
         if DAMPINGS.maximum in given:
@@ -348,8 +342,6 @@ class StepsQuery(Damped, FormQuery):
     @staticmethod
     def misfits(given: Mapping[str, str]) -> Iterator[Misfit]:
         """Yield what is wrong with the parameters beside each other."""
-        yield from CsvOptions.misfits(given)
-        yield from Damped.misfits(given)
         names = ("kappa", "mu_over_alpha", "gt_over_gn")
         if "region" not in given:
             yield from ((name, "given, or else `region`") for name in names if name not in given)

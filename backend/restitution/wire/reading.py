@@ -11,7 +11,16 @@ from typing import Any, TypeVar, get_args
 
 from pydantic import TypeAdapter, ValidationError
 
-from restitution.bounds import Choice, Words, annotations, members, plain, requirement, said
+from restitution.bounds import (
+    Choice,
+    Words,
+    annotations,
+    members,
+    misfits,
+    plain,
+    requirement,
+    said,
+)
 from restitution.errors import ParameterError
 from restitution.wire.neighbours import names_within, neighbour
 from restitution.wire.parsing import TOO_DEEP, in_utf8, parse_nested
@@ -171,13 +180,12 @@ def _misfits(of: Any, given: Any, name: str = "") -> Iterator[Entry]:
     """Yield entries for members that do not suit each other, in objects within objects, too."""
     if not isinstance(given, Mapping):
         return
-    if rules := getattr(of, "misfits", None):
-        there = {key: value for key, value in given.items() if value is not None}
-        for member, words in rules(there):
-            value: Any = there
-            for part in member.split("."):
-                value = _member(value, part)
-            yield refusal(_dotted(name, member), value, words)
+    there = {key: value for key, value in given.items() if value is not None}
+    for member, words in misfits(of, there):
+        value: Any = there
+        for part in member.split("."):
+            value = _member(value, part)
+        yield refusal(_dotted(name, member), value, words)
     for member, annotation, choice in _objects(of):
         value = given.get(member)
         inner = choice.among(plain(annotation), value) if choice else plain(annotation)
