@@ -34,7 +34,6 @@ from restitution.api.warm import warm_rest
 from restitution.bounds import annotations
 from restitution.commands.collide import collide
 from restitution.commands.terminal import Program, say_json
-from restitution.errors import RestitutionError
 from restitution.studies.accuracy.report import tradeoff_report
 from restitution.studies.accuracy.scenes import SCENES, SceneName
 from restitution.studies.accuracy.tradeoff import (
@@ -51,7 +50,6 @@ from restitution.studies.tables.largest_error import BASES, ErrorBasis
 from restitution.wire.formats import CsvOptions, Decimal, Header, Separator, in_one_piece
 from restitution.wire.queries import TableFormat, TableQuery
 from restitution.wire.reading import read_query
-from restitution.wire.refusals import RefusedParametersError, sentences
 from restitution.wire.results import table_result
 
 
@@ -92,10 +90,7 @@ def serve(
     settings = _settings()
     for name in strangers():
         click.echo(f"{name} is no setting of the server and does nothing", err=True)
-    try:
-        sockets = [unix_listener(uds)] if uds else listeners(host, port)
-    except RestitutionError as taken:
-        raise click.ClickException(str(taken)) from taken
+    sockets = [unix_listener(uds)] if uds else listeners(host, port)
     where = uds or f"http://{address_of(host, sockets[0].getsockname()[1])}"
     click.echo(f"serving {where}")
     if settings.workers == 1:
@@ -192,10 +187,7 @@ main.add_command(collide)
 @click.argument("beta_0", type=float)
 def walton(beta_0: float) -> None:
     """Find the smallest κ whose undamped collisions have a β₀ of Walton's model."""
-    try:
-        study = study_walton(beta_0)
-    except RestitutionError as refused:
-        raise click.ClickException(str(refused)) from refused
+    study = study_walton(beta_0)
     others = ", ".join(f"{kappa:.8g}" for kappa in study.others)
     click.echo(f"kappa      {study.kappa:.16g}\nothers     {others}, …\n{study.convention}")
 
@@ -259,10 +251,7 @@ def table(
     **given: str | tuple[str, str] | None,
 ) -> None:
     """Write ε_t over κ and ψ, or κ, ψ and η, for another code, with its error of interpolation."""
-    try:
-        query = read_query(TableQuery, list(_as_query(given)))
-    except RefusedParametersError as refused:
-        raise click.ClickException("\n".join(sentences(refused.errors))) from refused
+    query = read_query(TableQuery, list(_as_query(given)))
     if store:
         idle = ("error", "format", "out", "seconds", *annotations(CsvOptions))
         _refuse_given(context, idle, "--store")
@@ -270,12 +259,9 @@ def table(
         _large_table(store, grid, query.sign, scheduler, workers)
         return
     _refuse_given(context, ("scheduler", "workers"), "a table without --store")
-    try:
-        found = study_table_as_wanted(
-            query.error, *query.axes, query.sign, query.third, seconds=seconds
-        )
-    except RestitutionError as refused:
-        raise click.ClickException(str(refused)) from refused
+    found = study_table_as_wanted(
+        query.error, *query.axes, query.sign, query.third, seconds=seconds
+    )
     out.write(in_one_piece(table_result(found), query.format, query))
     counts = " × ".join(str(count) for count in reversed(found.shape))
     _say_error(f"{counts} entries", found.largest_error, found.error_basis)
@@ -331,7 +317,7 @@ def _large_table(
                 if not sys.stderr.isatty():
                     click.echo(f"{done} of {total} chunks", err=True)
         largest = finish(store)
-    except (RestitutionError, OSError) as refused:
+    except OSError as refused:
         raise click.ClickException(str(refused)) from refused
     except KeyboardInterrupt as stopped:
         raise click.ClickException(

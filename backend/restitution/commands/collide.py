@@ -8,7 +8,6 @@ from typing import Any, BinaryIO, TypeVar
 import click
 
 from restitution.commands.terminal import say_json
-from restitution.errors import RestitutionError
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import in_one_piece
@@ -16,7 +15,6 @@ from restitution.wire.impact_options import OPTIONS, told_body
 from restitution.wire.neighbours import neighbour
 from restitution.wire.parsing import in_utf8, parse_nested
 from restitution.wire.reading import read_object
-from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
 from restitution.wire.results import scaling_result
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -67,19 +65,13 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
     told = wall or any(value is not None for value in given.values())
     if not file and not told:
         raise click.UsageError("give FILE, or options: --radius, --density, --friction, …")
-    try:
-        text = file.read() if file else None
-        if told:
-            begun = None if text is None else parse_nested(in_utf8(text))
-            body = told_body(begun, given, wall=wall)
-            text = json.dumps(body).encode()
-        assert text is not None
-        asked = read_object(ScalingBody, text)
-        study = study_scaling(asked, asked.impact)
-    except RefusedParametersError as refused:
-        raise click.ClickException("\n".join(sentences(refused.errors))) from refused
-    except (MalformedBodyError, RestitutionError) as refused:
-        raise click.ClickException(str(refused)) from refused
+    text = file.read() if file else None
+    if told:
+        begun = None if text is None else parse_nested(in_utf8(text))
+        text = json.dumps(told_body(begun, given, wall=wall)).encode()
+    assert text is not None
+    asked = read_object(ScalingBody, text)
+    study = study_scaling(asked, asked.impact)
     if in_full:
         say_json(in_one_piece(scaling_result(study), "json"))
     else:

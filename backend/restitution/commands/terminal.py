@@ -10,6 +10,9 @@ from typing import Any
 
 import click
 
+from restitution.errors import RestitutionError
+from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
+
 WORDS = {
     "−": "-",
     "–": "-",
@@ -107,13 +110,22 @@ def never_fail(stream: Any) -> None:
 
 
 class Program(click.Group):
-    """A group of commands whose output any terminal can show."""
+    """A group of commands whose output any terminal can show, refusals in a line each."""
 
     def main(self, *args: Any, **extra: Any) -> Any:
         """Run the command that is asked for."""
         for stream in (sys.stdout, sys.stderr):
             never_fail(stream)
         return super().main(*args, **extra)
+
+    def invoke(self, context: click.Context) -> Any:
+        """Run it, and say what it refuses."""
+        try:
+            return super().invoke(context)
+        except RefusedParametersError as refused:
+            raise click.ClickException("\n".join(sentences(refused.errors))) from refused
+        except (MalformedBodyError, RestitutionError) as refused:
+            raise click.ClickException(str(refused)) from refused
 
 
 def say_json(text: bytes) -> None:
