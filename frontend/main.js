@@ -1,15 +1,14 @@
 // @ts-check
 
 import { createClient, createExplanation, Unreachable } from "./api/client.js";
+import { spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
+import { createDeferredScene } from "./page/deferred-scene.js";
 import { mountMessage } from "./page/messages.js";
 import { mountShell } from "./page/shell.js";
+import { takeTexts } from "./page/texts.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
-import { mountAccuracy } from "./scenes/accuracy/scene.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
-import { mountLesson } from "./scenes/lesson/scene.js";
-import { mountPaper } from "./scenes/paper/scene.js";
-import { mountSpheres } from "./scenes/spheres/scene.js";
 import { sameAccuracy } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createCollisionLoad } from "./state/collision-load.js";
@@ -26,6 +25,8 @@ import { afterNextFrame, announcePainted } from "./widgets/painted.js";
  * @typedef {import("./state/url.js").PageState} PageState
  * @typedef {import("./state/store.js").Change} Change
  */
+
+takeTexts();
 
 const client = createClient();
 const { state: initialState, problems } = readAddress(location.search);
@@ -68,15 +69,18 @@ const page = {
   explain: explainBy(notice.say),
   reportLost: connection.reportLost,
 };
-const scenes = [mountExplorer, mountSpheres, mountAccuracy, mountPaper, mountLesson].map((mount) =>
-  mount(page),
-);
-const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
-for (const { pictures } of [collision, ...scenes]) {
-  for (const [name, picture] of Object.entries(pictures)) {
-    mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load);
-  }
-}
+/** What is not in the first view. @type {[string, Parameters<typeof createDeferredScene>[1]][]} */
+const DEFERRED = [
+  ["spheres", async () => (await import("./scenes/spheres/scene.js")).mountSpheres],
+  ["accuracy", async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
+  ["paper", async () => (await import("./scenes/paper/scene.js")).mountPaper],
+  ["lesson", async () => (await import("./scenes/lesson/scene.js")).mountLesson],
+];
+const scenes = [
+  mountExplorer(page),
+  ...DEFERRED.map(([id, load]) => createDeferredScene(id, load, page, mountMenus)),
+];
+[collision, scenes[0]].forEach(mountMenus);
 
 const collisions = createLatest({
   load: createCollisionLoad(client),
@@ -87,6 +91,9 @@ let arePresetsHere = false;
 
 store.subscribe((state, previous, change) => {
   notice.clear();
+  if (state.lang !== previous.lang && state.lang !== spokenLanguage()) {
+    speak(previous.lang);
+  }
   show(state, previous, change);
   if (!change.fromAddress) {
     addressBar.follow(state, change.dragging);
@@ -100,6 +107,14 @@ addressBar.correct(initialState);
 show(initialState, null, changeNow());
 loadAll();
 reportAddressProblems(problems);
+
+/** @param {Pick<import("./scenes/scene.js").Scene, "pictures">} scene */
+function mountMenus({ pictures }) {
+  const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
+  for (const [name, picture] of Object.entries(pictures)) {
+    mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load);
+  }
+}
 
 /** @returns {Change} */
 function changeNow() {
@@ -153,6 +168,19 @@ function loadAll() {
   scenes.forEach((scene) => scene.forget());
   follow(store.get(), null, changeNow());
   loadPresets();
+}
+
+/**
+ * Opens the page anew, in the language that its address names by now; without a server all stays as it is.
+ * @param {PageState["lang"]} before
+ */
+async function speak(before) {
+  if (!connection.isLost() && (await isAnswering())) {
+    location.reload();
+    return;
+  }
+  connection.reportLost("The server does not answer");
+  store.set({ lang: before });
 }
 
 async function loadPresets() {

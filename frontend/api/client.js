@@ -306,15 +306,6 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
       return decodeArrays((await get(`${base}/${call}?${marks}`)).body);
     },
 
-    /**
-     * The texts of the page in a language.
-     * @param {string} language
-     * @returns {Promise<Record<string, any>>}
-     */
-    async texts(language) {
-      return (await get(new URL(`../locales/${language}.json`, import.meta.url).href)).body;
-    },
-
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;

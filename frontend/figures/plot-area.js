@@ -1,5 +1,7 @@
 // @ts-check
 
+import { decimalMark } from "../format/words.js";
+
 /**
  * @typedef {{width: number, height: number}} Size in CSS pixels
  * @typedef {import("./theme.js").Theme} Theme
@@ -46,6 +48,7 @@ export function baseLayout(theme, { width, height }, margin) {
     hovermode: false,
     dragmode: false,
     barmode: "overlay",
+    separators: `${decimalMark()} `,
     paper_bgcolor: "rgba(0,0,0,0)",
     plot_bgcolor: "rgba(0,0,0,0)",
     font: { family: theme.sans, size: 12 * theme.unit, color: theme.inkSoft },

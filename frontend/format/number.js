@@ -1,5 +1,7 @@
 // @ts-check
 
+import { decimalMark } from "./words.js";
+
 const MINUS = "\u2212";
 const NARROW_SPACE = "\u202f";
 const SUPERSCRIPTS = {
@@ -28,9 +30,9 @@ export function powerOfTen(exponent) {
   return `10${raised.join("")}`;
 }
 
-/** @param {string} text */
-function properMinus(text) {
-  return text.replace("-", MINUS);
+/** Digits as the page writes them: with a real minus sign and the decimal mark of its language. @param {string} text */
+function inPrint(text) {
+  return text.replace("-", MINUS).replace(".", decimalMark());
 }
 
 /**
@@ -50,9 +52,9 @@ export function significant(value, digits = 4) {
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
   const power = Number(exponent);
   if (power < -3 || power > 5) {
-    return `${properMinus(mantissa)}${NARROW_SPACE}×${NARROW_SPACE}${powerOfTen(power)}`;
+    return `${inPrint(mantissa)}${NARROW_SPACE}×${NARROW_SPACE}${powerOfTen(power)}`;
   }
-  return properMinus(value.toFixed(Math.max(0, digits - 1 - power)));
+  return inPrint(value.toFixed(Math.max(0, digits - 1 - power)));
 }
 
 /**
@@ -61,7 +63,7 @@ export function significant(value, digits = 4) {
  */
 export function approximate(value) {
   const text = value.toFixed(2);
-  return Number(text) === 0 ? text.replace("-", "") : properMinus(text);
+  return inPrint(Number(text) === 0 ? text.replace("-", "") : text);
 }
 
 /**
@@ -76,9 +78,9 @@ export function brief(value) {
     const power = powerOfTen(Number(exponent));
     return factor === 1
       ? power
-      : `${properMinus(String(factor))}${NARROW_SPACE}×${NARROW_SPACE}${power}`;
+      : `${inPrint(String(factor))}${NARROW_SPACE}×${NARROW_SPACE}${power}`;
   }
-  return properMinus(String(Number(value.toPrecision(3))));
+  return inPrint(String(Number(value.toPrecision(3))));
 }
 
 /**
@@ -98,7 +100,7 @@ export function percentage(share) {
   } else if (share === 0 || share === 1) {
     digits = String(percent);
   }
-  return `${properMinus(digits)}${NARROW_SPACE}%`;
+  return `${inPrint(digits)}${NARROW_SPACE}%`;
 }
 
 /**
@@ -119,7 +121,7 @@ export function errorBound(bound) {
     power += 1;
   }
   if (power >= -3) {
-    return `±${Number((digit * 10 ** power).toPrecision(1))}`;
+    return `±${inPrint(String(Number((digit * 10 ** power).toPrecision(1))))}`;
   }
   return `±${digit === 1 ? "" : `${digit}${NARROW_SPACE}×${NARROW_SPACE}`}${powerOfTen(power)}`;
 }
@@ -133,12 +135,17 @@ export function duration(milliseconds) {
     return ABSENT;
   }
   if (milliseconds < 0.1) {
-    return `${Number((1000 * milliseconds).toPrecision(2))}${NARROW_SPACE}µs`;
+    return inUnit(1000 * milliseconds, "µs");
   }
-  if (milliseconds < 1000) {
-    return `${Number(milliseconds.toPrecision(2))}${NARROW_SPACE}ms`;
-  }
-  return `${Number((milliseconds / 1000).toPrecision(2))}${NARROW_SPACE}s`;
+  return milliseconds < 1000 ? inUnit(milliseconds, "ms") : inUnit(milliseconds / 1000, "s");
+}
+
+/**
+ * @param {number} value
+ * @param {string} unit
+ */
+function inUnit(value, unit) {
+  return `${inPrint(String(Number(value.toPrecision(2))))}${NARROW_SPACE}${unit}`;
 }
 
 /**
@@ -153,12 +160,13 @@ export function alphaInWords(alpha) {
 const LONGEST_PLAIN = 9;
 
 /**
- * What a number field shows: plain digits that can be typed again.
+ * What a number field shows: plain digits that can be typed again, with the decimal mark of the page.
  * @param {number} value
  */
 export function typable(value) {
   const short = String(Number(value.toPrecision(6)));
   const full = Number(short) === value ? short : String(value);
   const scientific = value.toExponential().replace("+", "");
-  return full.length > LONGEST_PLAIN && scientific.length < full.length ? scientific : full;
+  const digits = full.length > LONGEST_PLAIN && scientific.length < full.length ? scientific : full;
+  return digits.replace(".", decimalMark());
 }

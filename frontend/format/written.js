@@ -2,6 +2,7 @@
 
 import { powerOfTen } from "./number.js";
 import { kindOf, takenBy, unitOf } from "./units.js";
+import { decimalMark } from "./words.js";
 
 const NARROW_SPACE = "\u202f";
 
@@ -69,10 +70,10 @@ const FACTORS = [
  * @param {object} field
  * @param {string} field.subject of a sentence that says what the field takes
  * @param {string} [field.unit] of its values; pure numbers have none
- * @param {string} [field.decimal] the decimal mark of the language around it
+ * @param {string} [field.decimal] its decimal mark, that of the page
  * @returns {Reading}
  */
-export function readWritten(text, { subject, unit = "", decimal = "." }) {
+export function readWritten(text, { subject, unit = "", decimal = decimalMark() }) {
   const number = numberIn(inPlainSigns(text), decimal);
   if (!number || /^[-+\d.,^*/(±]/.test(number.rest)) {
     return { refusal: "" };

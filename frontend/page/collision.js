@@ -2,7 +2,6 @@
 
 import { collisionQuery } from "../api/queries.js";
 import { sameAccuracy } from "../state/accuracy.js";
-import { decimalMark } from "../state/language.js";
 import { scaleFor } from "../state/map-view.js";
 import { PARAMETERS } from "../state/parameters.js";
 import { stateAt } from "../state/url.js";
@@ -45,9 +44,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
         strip.preview(null);
       }
       accuracyControl.show(state.accuracy);
-      const decimal = decimalMark(state, navigator.languages);
       for (const { key, initial, show } of controls) {
-        show(state.collision[key], initial, { decimal });
+        show(state.collision[key], initial);
       }
       presets.show(state);
     },

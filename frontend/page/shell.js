@@ -1,6 +1,7 @@
 // @ts-check
 
 import { significant, typable } from "../format/number.js";
+import { knownLanguages, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
 import { writeAddress } from "../state/url.js";
@@ -26,6 +27,7 @@ const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
 export function mountShell({ present, onOption }) {
   const root = document.documentElement;
   const theme = /** @type {HTMLSelectElement} */ (byTestId("theme"));
+  const language = /** @type {HTMLSelectElement} */ (byTestId("language"));
   const share = byTestId("share");
   const scenes = byTestId("scenes");
   const caption = byTestId("embed-caption");
@@ -53,6 +55,8 @@ export function mountShell({ present, onOption }) {
   theme.addEventListener("change", () => {
     onOption({ theme: /** @type {PageState["theme"]} */ (theme.value) });
   });
+  language.append(...knownLanguages().map(languageOption));
+  language.addEventListener("change", () => onOption({ lang: language.value }));
   share.addEventListener("click", async () => {
     const done = await copyText(new URL(writeAddress(present()), location.href).href);
     share.textContent = done ? "Copied" : "Copy it from the address bar";
@@ -74,13 +78,14 @@ export function mountShell({ present, onOption }) {
     /** @param {PageState} state */
     show(state) {
       const { scene, embed } = state;
-      const wanted = `${scene} ${state.theme} ${embed} ${state.step}`;
+      const wanted = `${scene} ${state.theme} ${embed} ${state.step} ${state.lang}`;
       if (wanted === shown) {
         return;
       }
       const focused = document.activeElement;
       shown = wanted;
       theme.value = state.theme;
+      language.value = state.lang === "system" ? spokenLanguage() : state.lang;
       setOrRemove(root, "data-theme", state.theme, "system");
       setOrRemove(root, "data-embed", embed, "none");
       root.dataset.shown = scene;
@@ -121,6 +126,13 @@ export function mountShell({ present, onOption }) {
       }
     },
   };
+}
+
+/** @param {{id: string, name: string}} language */
+function languageOption({ id, name }) {
+  const option = new Option(name, id);
+  option.lang = id;
+  return option;
 }
 
 /**

@@ -1,9 +1,9 @@
 // @ts-check
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
+import { knownLanguages } from "../format/words.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS, SECONDS } from "./impact.js";
-import { LANGUAGES } from "./language.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { misfit, PARAMETERS, parseNumber, SOLID_ALPHA } from "./parameters.js";
@@ -40,7 +40,10 @@ const PAGE_WORDS = {
   paper_verdict: VERDICT_CHOICES.map(({ id }) => id),
   paper_kind: KIND_CHOICES.map(({ id }) => id),
   step: STEPS.map((_, i) => String(i + 1)),
-  lang: ["system", ...LANGUAGES.map(({ id }) => id)],
+  // known once the page has its words
+  get lang() {
+    return ["system", ...knownLanguages().map(({ id }) => id)];
+  },
   notes: ["hidden", "shown"],
   handout: ["hidden", "shown"],
 };

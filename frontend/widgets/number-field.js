@@ -2,6 +2,7 @@
 
 import { typable } from "../format/number.js";
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
+import { decimalMark } from "../format/words.js";
 import {
   misfit,
   parseTyped,
@@ -33,7 +34,6 @@ export function createNumberField(field, problem, parameter, onChange) {
   const subject = unit ? `the ${name.split(",")[0]}` : symbol;
   let value = NaN;
   let isWorkedOut = false;
-  let decimal = ".";
   /** What was before anything was typed. @type {number | null} */
   let before = null;
   /** The text that is being read or asked about: it is left as it stands. @type {string | null} */
@@ -45,7 +45,7 @@ export function createNumberField(field, problem, parameter, onChange) {
     before = open === null ? present() : before;
   });
   field.addEventListener("input", (event) => {
-    const typed = parseTyped(field.value, decimal);
+    const typed = parseTyped(field.value, decimalMark());
     const isAllowed = typed !== null && admits(typed);
     open = null;
     tell(typed === null || isAllowed ? "" : unmet);
@@ -89,13 +89,13 @@ export function createNumberField(field, problem, parameter, onChange) {
     if (text === open) {
       return;
     }
-    if (text === written() || parseTyped(text, decimal) !== null) {
+    if (text === typable(value) || parseTyped(text, decimalMark()) !== null) {
       change(present());
       return;
     }
     open = text;
     const reading = await import("../format/written.js")
-      .then(({ readWritten }) => readWritten(text, { subject, unit, decimal }))
+      .then(({ readWritten }) => readWritten(text, { subject, unit }))
       .catch(() => ({ refusal: "" }));
     // Typed on, or set by other means.
     if (open !== text) {
@@ -168,12 +168,8 @@ export function createNumberField(field, problem, parameter, onChange) {
     return isWorkedOut ? null : value;
   }
 
-  function written() {
-    return typable(value).replace(".", decimal);
-  }
-
   function write() {
-    field.value = written();
+    field.value = typable(value);
     field.toggleAttribute("data-long", field.value.length > USUAL_LENGTH);
   }
 
@@ -195,14 +191,14 @@ export function createNumberField(field, problem, parameter, onChange) {
 
     /**
      * @param {number} next
-     * @param {{isWorkedOut: boolean, decimal: string}} how
+     * @param {boolean} isOfOthers whether it is worked out of the others
      */
-    show(next, how) {
-      if (next !== value || how.isWorkedOut !== isWorkedOut) {
+    show(next, isOfOthers) {
+      if (next !== value || isOfOthers !== isWorkedOut) {
         open = null;
       }
       value = next;
-      ({ isWorkedOut, decimal } = how);
+      isWorkedOut = isOfOthers;
       if (open === null && document.activeElement !== field) {
         restore();
       }

@@ -63,11 +63,9 @@ export function mountParameterControl(parent, parameter, onChange) {
     /**
      * @param {number} value
      * @param {number | null} initial what a reset goes back to; null is worked out of the others
-     * @param {object} [how]
-     * @param {boolean} [how.isWorkedOut] whether the value is
-     * @param {string} [how.decimal] the decimal mark of the language around
+     * @param {boolean} [isWorkedOut] whether the value is
      */
-    show(value, initial, { isWorkedOut = false, decimal = "." } = {}) {
+    show(value, initial, isWorkedOut = false) {
       root.toggleAttribute("data-worked-out", isWorkedOut);
       if (initial !== usual) {
         usual = initial;
@@ -82,7 +80,7 @@ export function mountParameterControl(parent, parameter, onChange) {
       );
       const inUnits = parameter.unit ? `in ${parameter.unit}; other units are converted` : "";
       field.title = isWorkedOut ? "worked out from the bodies" : inUnits;
-      number.show(value, { isWorkedOut, decimal });
+      number.show(value, isWorkedOut);
       reset.disabled = number.present() === usual;
     },
   };

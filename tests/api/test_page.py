@@ -1,5 +1,6 @@
 """The page's files: who may load what, how small it comes over the wire, how long it is kept."""
 
+import json
 import os
 import re
 
@@ -77,14 +78,60 @@ def test_files_at_the_addresses_of_the_page_are_kept(client):
         assert "immutable" in answer.headers["cache-control"], address
 
 
-def test_page_announces_its_modules_and_not_those_of_the_lesson(client):
+def test_page_announces_its_modules_and_not_those_of_scenes_that_come_later(client):
     announced = re.findall(
         r'rel="modulepreload" href="static/\w{16}/([^"]+)"', client.get("/").text
     )
     assert announced == sorted(set(announced))
     assert "scenes/explorer/map.js" in announced
-    later = {"main.js", "scenes/lesson/lesson.js", "state/translation.js"}
+    later = {"main.js", "scenes/lesson/lesson.js", "scenes/spheres/scene.js"}
     assert not [name for name in announced if name in later]
+
+
+def words(client, path="/", **headers):
+    """Return the language that the page is in, and the words that are in it."""
+    text = client.get(
+        path, headers={name.replace("_", "-"): of for name, of in headers.items()}
+    ).text
+    language = re.search('<html lang="(.*?)">', text)[1]
+    found = json.loads(re.search('type="application/json" id="words">(.*?)</script>', text)[1])
+    assert found["language"] == language
+    return language, found
+
+
+@pytest.mark.parametrize(
+    ("path", "accepted", "language"),
+    [
+        ("/", "", "en"),
+        ("/?lang=de", "en-GB", "de"),
+        ("/", "de-CH, en", "de"),
+        ("/", "ja, DE;q=0.8, en;q=0.9", "en"),
+        ("/", "en;q=0.3, de ; q=0.31", "de"),
+        ("/", "de;q=0, ja", "en"),
+        ("/?lang=ja", "de", "de"),
+        ("/?lang=../main", ",;q=,de;q=x;;*", "de"),
+    ],
+)
+def test_the_page_speaks_the_language_asked_for_else_the_best_of_the_browser(
+    client, path, accepted, language
+):
+    assert words(client, path, accept_language=accepted)[0] == language
+    assert "Accept-Language" in client.get(path).headers["vary"]
+
+
+def test_what_a_language_lacks_is_said_in_english_and_no_word_is_markup(tmp_path):
+    english = {"name": "English", "a": {"b": "deep", "c": "<b>"}, "d": "flat", "e": "left"}
+    german = {"name": "Deutsch", "a": "ein Text", "d": {"of": "another shape"}, "e": "", "f": "neu"}
+    (tmp_path / "locales").mkdir()
+    for name, texts in {"en": english, "de": german}.items():
+        (tmp_path / "locales" / f"{name}.json").write_text(json.dumps(texts))
+    (tmp_path / "index.html").write_text('<html lang="en"><!-- words -->')
+    (tmp_path / "main.js").write_text("")
+    with TestClient(create_app(Settings(frontend_directory=tmp_path))) as client:
+        assert "<b>" not in client.get("/").text
+        _, found = words(client, "/?lang=de")
+    assert found["texts"] == english | {"name": "Deutsch", "f": "neu"}
+    assert found["languages"] == [{"id": "de", "name": "Deutsch"}, {"id": "en", "name": "English"}]
 
 
 def test_an_unchanged_page_is_not_sent_again(client):

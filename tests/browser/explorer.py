@@ -49,7 +49,8 @@ def number(shown: str) -> float:
         return math.nan
     if "∞" in shown:
         return -math.inf if "−" in shown else math.inf
-    mantissa, _, power = shown.replace("−", "-").replace("\u202f", "").partition("×")
+    plain = shown.replace("−", "-").replace("\u202f", "").replace(",", ".")
+    mantissa, _, power = plain.partition("×")
     # read as one number: a product with a power of ten would round twice
     return float(f"{mantissa}e{power[2:].translate(SUPERSCRIPTS) or 0}")
 
@@ -167,13 +168,15 @@ def percentage(share: float) -> str:
 def visit(page: Page, address: str) -> None:
     """Go to an address as the page's own links do, which hold the collision: nothing is loaded.
 
-    Real spheres are: their collision is worked out, and only their own links know it.
+    Real spheres are: their collision is worked out, and only their own links know it. Another
+    language is, too.
     """
-    if "scene=spheres" in address:
-        page.goto(address)
-        return
     path, _, query = address.partition("?")
     whole = USUAL | dict(urllib.parse.parse_qsl(query))
+    spoken = page.locator("html").get_attribute("lang")
+    if "scene=spheres" in address or whole.get("lang", "en") != spoken:
+        page.goto(address)
+        return
     page.evaluate(
         """(address) => {
           history.pushState(null, "", address);

@@ -11,7 +11,7 @@ from playwright.sync_api import Page
 from rest import eventually
 
 LOCALES = Path(__file__).parents[2] / "frontend" / "locales"
-LANGUAGES = ("en", "de")
+LANGUAGES = sorted(file.stem for file in LOCALES.glob("*.json"))
 
 SYMBOLS = {
     "epsilon_t": "εt",

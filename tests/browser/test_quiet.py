@@ -101,6 +101,8 @@ def test_the_policy_allows_scripts_of_the_page_s_own_files_alone(page: Page):
     assert policy["base-uri"] == "'none'"
     html = response.text()
     for attributes, content in re.findall(r"<script([^>]*)>(.*?)</script>", html, re.DOTALL):
+        if 'type="application/json"' in attributes:
+            continue  # words, which no browser runs
         assert "src=" in attributes
         assert content == ""
     assert re.findall(r"<[^>]+\son\w+\s*=", html) == []

@@ -50,8 +50,9 @@ def test_a_unit_of_the_field_s_dimension_is_converted(
     assert float(field.input_value()) == float(value)
 
 
-def test_a_unit_of_another_dimension_is_refused_in_words(used_tab: Page):
+def test_a_unit_of_another_dimension_is_refused_in_words(used_tab: Page, server: str):
     visit(used_tab, "/?scene=spheres&material=glass-on-glass")
+    settle(used_tab, server)
     field = used_tab.get_by_test_id("radius-m-field")
     before = field.input_value()
     field.fill("380 GPa")

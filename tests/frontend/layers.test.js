@@ -34,6 +34,8 @@ function roomOf(file) {
     .join("/");
 }
 
+const withoutComments = (source) => source.replaceAll(/\/\*[\s\S]*?\*\//g, "");
+
 test("imports follow the arrows: from a scene down to the formats, never to another scene", () => {
   for (const [file, source] of Object.entries(sources)) {
     const room = roomOf(file);
@@ -64,7 +66,7 @@ test("no module, no style sheet and no room is more than one takes in", () => {
 
 test("only the client fetches, and only widgets, pictures, the page and the scenes draw", () => {
   for (const [file, source] of Object.entries(sources)) {
-    const code = source.replaceAll(/\/\*[\s\S]*?\*\//g, "");
+    const code = withoutComments(source);
     assert.ok(
       file === "api/client.js" || !/\bfetch\(|XMLHttpRequest|sendBeacon/.test(code),
       `${file} fetches`,
@@ -104,21 +106,24 @@ function loadedWith(file, loaded = new Set()) {
   return loaded;
 }
 
-test("only what the lesson, numbers with units and saved pictures need waits until it is asked for", () => {
+/** What a module imports only when it is needed. */
+const deferred = Object.entries(sources).flatMap(([file, source]) =>
+  [...withoutComments(source).matchAll(/\bimport\("(\.[^"]+)"\)/g)].map(([, path]) =>
+    new URL(path, new URL(file, ROOT)).href.slice(ROOT.href.length),
+  ),
+);
+
+test("every module is needed, and what the first view does without waits until it is asked for", () => {
   const first = loadedWith("main.js");
-  const later = new Set(
-    ["scenes/lesson/lesson.js", "format/written.js", "pictures/save-drawing.js"].flatMap((file) => [
-      ...loadedWith(file),
-    ]),
-  );
+  const later = new Set(deferred.flatMap((file) => [...loadedWith(file)]));
   assert.deepEqual(
     files.filter((file) => !first.has(file) && !later.has(file)),
     [],
   );
   assert.deepEqual(
-    ["state/translation.js", "format/units.js", "pictures/save-picture.js"].filter((file) =>
-      first.has(file),
-    ),
+    deferred.filter((file) => first.has(file)),
     [],
   );
+  const scenes = [...first].filter((file) => file.startsWith("scenes/")).map(roomOf);
+  assert.deepEqual([...new Set(scenes)], ["scenes/explorer"]);
 });

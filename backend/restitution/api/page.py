@@ -1,13 +1,14 @@
 """The page: its files and plotly.js, compressed once and kept."""
 
 import hashlib
+import json
 import os
 import re
 from functools import lru_cache
 from importlib.resources import files
 from mimetypes import guess_type
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import brotli
 from fastapi import FastAPI, Request, Response
@@ -85,9 +86,15 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
 
     @app.get("/", include_in_schema=False)
     def page(request: Request) -> Response:
-        text = files.page()
+        text = files.page(
+            request.query_params.get("lang", ""), request.headers.get("accept-language", "")
+        )
         tag = f'"{hashlib.sha256(text.encode()).hexdigest()[:32]}"'
-        headers = PAGE_HEADERS | {"Cache-Control": "no-cache", "ETag": tag}
+        headers = PAGE_HEADERS | {
+            "Cache-Control": "no-cache",
+            "ETag": tag,
+            "Vary": "Accept-Language",
+        }
         if known := known_tag(tag, request.headers.get("if-none-match", "")):
             return Response(None, 304, headers | {"ETag": known})
         return HTMLResponse(text, headers=headers)
@@ -100,6 +107,8 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
 
     app.mount("/static", files, "static")
 
+
+USUAL_LANGUAGE = "en"
 
 State = frozenset[Entry]
 """The page's files."""
@@ -120,11 +129,12 @@ def _version(state: State) -> str:
     return digest.hexdigest()[:16]
 
 
-@lru_cache(maxsize=2)
-def _versioned_page(directory: Path, state: State) -> str:
-    """Return the page with addresses that change with the files, and its modules announced.
+@lru_cache(maxsize=20)
+def _versioned_page(directory: Path, state: State, language: str) -> str:
+    """Return the page in a language, with addresses that change with the files.
 
-    All are relative, for the page may stand below any path of a proxy.
+    Its words are in it and its modules are announced. All addresses are relative, for the page may
+    stand below any path of a proxy.
     """
     modules = (path.relative_to(directory) for path in _imported(directory / "main.js"))
     announced = "\n    ".join(
@@ -132,6 +142,8 @@ def _versioned_page(directory: Path, state: State) -> str:
         for module in sorted(modules)
     )
     text = _assembled(directory).replace("<!-- modules -->", announced)
+    text = text.replace('lang="en"', f'lang="{language}"', 1)
+    text = text.replace("<!-- words -->", _words(directory, language))
     return text.replace('="static/', f'="static/{_version(state)}/')
 
 
@@ -139,6 +151,53 @@ def _assembled(directory: Path) -> str:
     """Return index.html with the parts that it names, each in the room of its scene."""
     text = (directory / "index.html").read_text("utf-8")
     return PART.sub(lambda part: (directory / part[1]).read_text("utf-8"), text)
+
+
+@lru_cache(maxsize=2)
+def _languages(directory: Path, state: State) -> tuple[str, ...]:  # noqa: ARG001 - what it hangs on
+    """Return the languages that the page has, the first of which stands in for others."""
+    found = {file.stem for file in (directory / "locales").glob("*.json")}
+    return (USUAL_LANGUAGE, *sorted(found - {USUAL_LANGUAGE}))
+
+
+def _words(directory: Path, language: str) -> str:
+    """Return the words of a language as data; what it lacks is said in the usual one."""
+    all_texts = {
+        file.stem: json.loads(file.read_text("utf-8"))
+        for file in sorted((directory / "locales").glob("*.json"))
+    }
+    words = {
+        "language": language,
+        "languages": [{"id": name, "name": own["name"]} for name, own in all_texts.items()],
+        "texts": _over(all_texts.get(USUAL_LANGUAGE, {}), all_texts.get(language, {})),
+    }
+    text = json.dumps(words, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    return f'<script type="application/json" id="words">{text}</script>'
+
+
+def _over(usual: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
+    """Return texts with others in their place, where these are texts and not empty."""
+    found = dict(usual)
+    for key, text in own.items():
+        below = usual.get(key, "")
+        if isinstance(below, dict) and isinstance(text, dict):
+            found[key] = _over(below, text)
+        elif text and isinstance(text, str) and isinstance(below, str):
+            found[key] = text
+    return found
+
+
+def _preferred(accepted: str) -> list[str]:
+    """Return the languages of an Accept-Language header without their regions, best first."""
+    weights = dict[str, float]()
+    for part in accepted.split(","):
+        tag, _, weight = part.partition(";")
+        value = re.fullmatch(r"\s*q=([01](?:\.\d{0,3})?)\s*", weight)
+        name = tag.strip().partition("-")[0].lower()
+        weights.setdefault(name, float(value[1]) if value else 1.0)
+    return sorted(
+        (name for name, weight in weights.items() if weight), key=lambda name: -weights[name]
+    )
 
 
 def _imported(module: Path) -> set[Path]:
@@ -169,15 +228,20 @@ class _Files(StaticFiles):
         self._directory = directory.resolve()
         self._state: State = frozenset()
 
-    def page(self) -> str:
-        """Return index.html for the files as they are now."""
+    def page(self, wanted: str, accepted: str) -> str:
+        """Return index.html for the files as they are now, in a language that it has.
+
+        That is the one wanted, else the first of an Accept-Language header, else the usual one.
+        """
         paths = (
             os.path.join(folder, name)  # noqa: PTH118 - asked for with each page, of each file
             for folder, _, names in os.walk(self._directory)
             for name in names
         )
         self._state = frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
-        return _versioned_page(self._directory, self._state)
+        known = _languages(self._directory, self._state)
+        spoken = (name for name in (wanted, *_preferred(accepted)) if name in known)
+        return _versioned_page(self._directory, self._state, next(spoken, USUAL_LANGUAGE))
 
     def get_path(self, scope: Scope) -> str:
         """Return the path of a file in the folder, which knows no versions."""

@@ -1,7 +1,6 @@
 // @ts-check
 
 import { serverOf } from "../../format/requests.js";
-import { LANGUAGES } from "../../state/language.js";
 import { STEPS, textsOf } from "../../state/lesson.js";
 import { make, told } from "../../widgets/elements.js";
 import { teacherNotes } from "./teacher-notes.js";
@@ -9,7 +8,7 @@ import { teacherNotes } from "./teacher-notes.js";
 /**
  * @typedef {import("../../state/url.js").PageState} PageState
  * @typedef {import("../../state/lesson.js").Step} Step
- * @typedef {import("../../state/translation.js").Say} Say
+ * @typedef {import("../../format/words.js").Say} Say
  */
 
 /** Lines to write on. */
@@ -139,9 +138,6 @@ function blanks(names) {
  * @param {string} language
  */
 function addressOf(step, language) {
-  const query = new URLSearchParams({ scene: "lesson", step: String(step) });
-  if (language !== LANGUAGES[0].id) {
-    query.set("lang", language);
-  }
+  const query = new URLSearchParams({ scene: "lesson", step: String(step), lang: language });
   return `${serverOf(location.href)}?${query}`;
 }

@@ -1,9 +1,8 @@
 // @ts-check
 
+import { say, spokenLanguage } from "../../format/words.js";
 import { USUAL_ACCURACY } from "../../state/accuracy.js";
-import { LANGUAGES, chosenLanguage } from "../../state/language.js";
 import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
-import { createTranslation } from "../../state/translation.js";
 import { writeAddress } from "../../state/url.js";
 import { make, told } from "../../widgets/elements.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -14,7 +13,6 @@ import { teacherNotes } from "./teacher-notes.js";
 /**
  * @typedef {import("../../state/url.js").PageState} PageState
  * @typedef {import("../../state/lesson.js").Step} Step
- * @typedef {import("../../state/translation.js").Say} Say
  */
 
 /**
@@ -23,8 +21,7 @@ import { teacherNotes } from "./teacher-notes.js";
  * @param {HTMLElement} handoutElement
  * @param {import("../scene.js").Page} page
  */
-export function mountOpenLesson(element, handoutElement, { client, set, explain }) {
-  const translation = createTranslation();
+export function mountOpenLesson(element, handoutElement, { set }) {
   const progress = make("p", "lesson-progress");
   const list = make("ol", "lesson-steps");
   const nav = make("nav", "lesson-contents", list);
@@ -38,17 +35,12 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
   const notesBox = make("input", "");
   const notesLabel = make("span", "");
   const handoutButton = button("lesson-handout", () => set({ handout: "shown" }));
-  const languages = make("select", "");
   const { links, marks } = stepLinks();
   /** The steps whose question has been answered. @type {Set<Step>} */
   const done = new Set();
   /** @type {PageState | null} */
   let present = null;
-  /** @type {Say | null} */
-  let say = null;
-  /** The language that is to be spoken, and the one that is. */
-  let asked = "";
-  let language = "";
+  const language = spokenLanguage();
   let drawn = "";
   /** Whether the heading gets the focus, so that a reader goes on there. */
   let isTurning = false;
@@ -76,11 +68,6 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
   notesBox.addEventListener("change", () => {
     set({ notes: notesBox.checked ? "shown" : "hidden" });
   });
-  languages.dataset.testid = "language";
-  languages.append(...LANGUAGES.map(languageOption));
-  languages.addEventListener("change", () => {
-    set({ lang: /** @type {PageState["lang"]} */ (languages.value) });
-  });
   list.append(...links.map((link) => make("li", "", link)));
   element.setAttribute("aria-labelledby", title.id);
   element.replaceChildren(
@@ -95,7 +82,6 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
       "lesson-tools",
       make("label", "lesson-switch", notesBox, notesLabel),
       handoutButton,
-      languages,
     ),
   );
 
@@ -128,54 +114,19 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
     set({ step, ...stepOf(step).setting });
   }
 
-  /** Speaks the language of the state, once its texts are here. @param {PageState} state */
-  async function speak({ lang }) {
-    const wanted = chosenLanguage(lang, navigator.languages);
-    if (wanted === asked) {
-      return;
-    }
-    asked = wanted;
-    const fallback = LANGUAGES[0].id;
-    await Promise.all([...new Set([fallback, wanted])].map(learn));
-    const spoken = [wanted, fallback].find(translation.has);
-    // Another may have been chosen since.
-    if (asked === wanted && spoken) {
-      language = spoken;
-      say = translation.in(spoken);
-      drawn = "";
-      draw();
-    }
-  }
-
-  /** @param {string} id */
-  async function learn(id) {
-    if (translation.has(id)) {
-      return;
-    }
-    try {
-      translation.add(id, await client.texts(id));
-    } catch (error) {
-      explain(error);
-    }
-  }
-
   /** What does not depend on the collision. */
   function draw() {
-    if (!present || !say) {
+    if (!present) {
       return;
     }
     const { step: number, notes: wish, handout: sheet, scene, theme } = present;
-    const wanted = JSON.stringify([number, wish, sheet, scene, theme, language]);
+    const wanted = JSON.stringify([number, wish, sheet, scene, theme]);
     if (wanted === drawn) {
       return;
     }
     drawn = wanted;
     const step = stepOf(number);
     const keys = textsOf(step);
-    for (const part of [element, handoutElement]) {
-      part.lang = language;
-      part.dir = translation.direction(language);
-    }
     typeset(title, say(keys.title));
     typeset(text, say(keys.text));
     question.show(step, say, language);
@@ -190,8 +141,6 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
     }
     previous.disabled = step === STEPS[0];
     nav.setAttribute("aria-label", say("lesson.contents"));
-    languages.setAttribute("aria-label", say("lesson.language"));
-    languages.value = language;
     notesBox.checked = wish === "shown";
     notes.hidden = wish !== "shown";
     notes.replaceChildren(
@@ -208,7 +157,7 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
   }
 
   function drawProgress() {
-    if (!present || !say) {
+    if (!present) {
       return;
     }
     const values = { step: present.step, count: done.size, of: STEPS.length };
@@ -243,7 +192,6 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
       }
       question.follow(state);
       draw();
-      speak(state);
       if (isTurning) {
         isTurning = false;
         title.focus();
@@ -262,13 +210,6 @@ export function mountOpenLesson(element, handoutElement, { client, set, explain 
         question.settle({ state: present, exact: trace, shown: result }, dragging);
       }
     },
-
-    /** Asks again for texts that did not come. */
-    forget() {
-      if (asked !== language) {
-        asked = "";
-      }
-    },
   };
 }
 
@@ -281,11 +222,4 @@ function button(className, onClick) {
   element.type = "button";
   element.addEventListener("click", onClick);
   return element;
-}
-
-/** @param {{id: string, name: string}} language */
-function languageOption({ id, name }) {
-  const option = new Option(name, id);
-  option.lang = id;
-  return option;
 }

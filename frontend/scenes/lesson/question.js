@@ -11,7 +11,7 @@ import { typeset } from "../../widgets/typeset.js";
  * @typedef {import("../../state/lesson.js").Step} Step
  * @typedef {import("../../state/lesson.js").Seen} Seen
  * @typedef {import("../../state/url.js").PageState} PageState
- * @typedef {import("../../state/translation.js").Say} Say
+ * @typedef {import("../../format/words.js").Say} Say
  */
 
 /**

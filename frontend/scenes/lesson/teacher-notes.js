@@ -6,7 +6,7 @@ import { make, told } from "../../widgets/elements.js";
 /**
  * What a teacher wants to know of a step.
  * @param {import("../../state/lesson.js").Step} step
- * @param {import("../../state/translation.js").Say} say
+ * @param {import("../../format/words.js").Say} say
  */
 export function teacherNotes(step, say) {
   const { aim, answer, misconception } = textsOf(step).notes;

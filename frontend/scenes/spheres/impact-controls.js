@@ -106,9 +106,8 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
       for (const { key, root, show } of controls) {
         root.hidden = isWall && OF_SPHERE.includes(key);
         if (!root.hidden) {
-          show(values[key] ?? rounded(workedOut[key] ?? NaN), usual[key], {
-            isWorkedOut: values[key] === null,
-          });
+          const value = values[key] ?? rounded(workedOut[key] ?? NaN);
+          show(value, usual[key], values[key] === null);
         }
       }
       const kind = find(`[value="${isWall ? "wall" : "sphere"}"]`, second);

@@ -11,10 +11,11 @@ import {
   significant,
   typable,
 } from "../../../frontend/format/number.js";
+import { decimalMark, learn } from "../../../frontend/format/words.js";
 import { readWritten } from "../../../frontend/format/written.js";
-import { LANGUAGES, decimalMark } from "../../../frontend/state/language.js";
 import { IMPACT_PARAMETERS } from "../../../frontend/state/impact.js";
 import { PARAMETERS, parseTyped } from "../../../frontend/state/parameters.js";
+import { LOCALES, wordsOf } from "../locales.js";
 import { spreadNumbers } from "../random.js";
 
 const NUMBER = { subject: "κ" };
@@ -233,16 +234,21 @@ test("what the page prints in English is read as printed", () => {
 });
 
 test("what fields and the lesson print in any language is read as printed there", () => {
-  for (const { id } of LANGUAGES) {
-    const decimal = decimalMark({ scene: "lesson", lang: id }, []);
+  for (const id of Object.keys(LOCALES)) {
+    learn(wordsOf(id));
+    const decimal = decimalMark();
     const digits = new Intl.NumberFormat(id, { maximumSignificantDigits: 4, useGrouping: false });
     for (const value of spreadNumbers(9, 300, 1e-3, 1e6)) {
-      const inField = typable(value).replace(".", decimal);
+      const inField = typable(value);
       assert.deepEqual(readWritten(inField, { ...NUMBER, decimal }), { value }, inField);
       const inLesson = readWritten(digits.format(value), { ...NUMBER, decimal });
       assert.equal(inLesson.value?.toPrecision(4), value.toPrecision(4), digits.format(value));
+      const inWords = significant(value);
+      const read = readWritten(inWords, NUMBER).value;
+      assert.equal(read?.toPrecision(4), value.toPrecision(4), inWords);
     }
   }
+  learn(wordsOf("en"));
 });
 
 test("every field takes the unit that it names, and says which it takes instead of another", () => {

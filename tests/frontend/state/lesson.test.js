@@ -1,98 +1,18 @@
 import assert from "node:assert/strict";
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { METHODS } from "../../../frontend/state/accuracy.js";
-import { LANGUAGES } from "../../../frontend/state/language.js";
 import { READINGS, settingOf, stepOf, STEPS, textsOf } from "../../../frontend/state/lesson.js";
 import { PARAMETERS } from "../../../frontend/state/parameters.js";
 import { readAddress, writeAddress } from "../../../frontend/state/url.js";
+import { flat, LOCALES } from "../locales.js";
 
 const FRONTEND = new URL("../../../frontend/", import.meta.url);
 const goals = STEPS.filter(({ question }) => question.kind === "goal");
 const choices = STEPS.filter(({ question }) => question.kind === "choice");
 
-/** Every text of a locale by its key. */
-function flat(texts, above = "") {
-  return Object.entries(texts).flatMap(([key, value]) =>
-    typeof value === "string" ? [[above + key, value]] : flat(value, `${above}${key}.`),
-  );
-}
-
-const locales = Object.fromEntries(
-  LANGUAGES.map(({ id }) => {
-    const text = readFileSync(new URL(`locales/${id}.json`, FRONTEND), "utf8");
-    return [id, Object.fromEntries(flat(JSON.parse(text)))];
-  }),
-);
-
-/** The keys that the page says: those that stand in its modules, and those of the steps. */
-function usedKeys() {
-  const used = new Set();
-  const room = new URL("scenes/lesson/", FRONTEND);
-  for (const file of readdirSync(room)) {
-    const source = readFileSync(new URL(file, room), "utf8");
-    for (const [, key] of source.matchAll(/"(lesson\.[\w.]+)"/g)) {
-      used.add(key);
-    }
-  }
-  for (const step of STEPS) {
-    const { notes, options, verdicts, ...plain } = textsOf(step);
-    for (const key of [
-      ...Object.values(plain),
-      ...Object.values(notes),
-      ...Object.values(verdicts),
-      ...options.flatMap(({ text, reason }) => [text, reason]),
-    ]) {
-      used.add(key);
-    }
-  }
-  for (const reading of Object.keys(READINGS)) {
-    used.add(`lesson.readings.${reading}`);
-  }
-  return used;
-}
-
-/** Without the ending that a number asks for. */
-const withoutPlural = (key) => key.replace(/_(zero|one|two|few|many|other)$/, "");
-
-test("every key that is used is there, and every key that is there is used", () => {
-  const there = new Set(Object.keys(locales.en).map(withoutPlural));
-  assert.deepEqual([...there].sort(), [...usedKeys()].sort());
-});
-
-for (const { id } of LANGUAGES.slice(1)) {
-  test(`${id} has the keys of English, with the same placeholders, and none is empty`, () => {
-    const keys = (texts) => [...new Set(Object.keys(texts).map(withoutPlural))].sort();
-    assert.deepEqual(keys(locales[id]), keys(locales.en));
-    const placeholders = (text) => [...new Set(text.match(/{{\w+}}/g) ?? [])].sort();
-    const english = Object.entries(locales.en).map(([key, text]) => [withoutPlural(key), text]);
-    const wanted = Object.fromEntries(english.map(([key, text]) => [key, placeholders(text)]));
-    for (const [key, text] of Object.entries(locales[id])) {
-      assert.notEqual(text.trim(), "", key);
-      assert.deepEqual(placeholders(text), wanted[withoutPlural(key)], key);
-    }
-  });
-
-  test(`${id} leaves next to nothing as it is in English`, () => {
-    const same = Object.entries(locales.en).filter(
-      ([key, text]) =>
-        locales[id][key] === text && /[a-z]{4}/.test(text.replaceAll(/{{\w+}}/g, "")),
-    );
-    assert.deepEqual(
-      same.map(([key]) => key),
-      [],
-    );
-  });
-}
-
-test("no text holds markup, an address, or a symbol that has a placeholder", () => {
-  for (const [id, texts] of Object.entries(locales)) {
-    for (const [key, text] of Object.entries(texts)) {
-      assert.doesNotMatch(text, /<|https?:|ε_t|g_t|[κψη]|\$t\(/, `${id}: ${key}`);
-    }
-  }
-});
+const locales = Object.fromEntries(Object.entries(LOCALES).map(([id, texts]) => [id, flat(texts)]));
 
 test("every step says one thing, in two to four sentences", () => {
   for (const [id, texts] of Object.entries(locales)) {

@@ -1,0 +1,91 @@
+// @ts-check
+
+/**
+ * @typedef {import("../scenes/scene.js").Scene} Scene
+ * @typedef {import("../scenes/scene.js").Page} Page
+ */
+
+/**
+ * A scene whose code comes when it is first shown; what it has missed it is told then.
+ * @param {string} id of the scene
+ * @param {() => Promise<(page: Page) => Scene>} load gives what mounts it
+ * @param {Page} page
+ * @param {(scene: Scene) => void} onMounted
+ * @returns {Scene}
+ */
+export function createDeferredScene(id, load, page, onMounted) {
+  /** @type {Scene | null} */
+  let scene = null;
+  let isComing = false;
+  /** @type {Parameters<NonNullable<Scene["offer"]>>[0] | null} */
+  let presets = null;
+  /** The answer about the present collision. @type {Parameters<NonNullable<Scene["settle"]>> | null} */
+  let answer = null;
+
+  async function open() {
+    isComing = true;
+    const mount = await load().catch(() => null);
+    isComing = false;
+    if (!mount) {
+      page.reportLost("A part of the page did not arrive");
+      return;
+    }
+    const state = page.present();
+    const change = { dragging: false, inputTimeStamp: performance.now() };
+    scene = mount(page);
+    onMounted(scene);
+    if (presets) {
+      scene.offer?.(presets);
+    }
+    scene.show(state, null, change);
+    scene.follow(state, null, change);
+    if (answer) {
+      scene.settle?.(...answer);
+    }
+  }
+
+  /** @param {string} shown */
+  function openIfShown(shown) {
+    if (shown === id && !isComing) {
+      open();
+    }
+  }
+
+  return {
+    show(state, previous, change) {
+      if (state.collision !== previous?.collision || state.accuracy !== previous.accuracy) {
+        answer = null;
+      }
+      if (scene) {
+        scene.show(state, previous, change);
+      } else {
+        openIfShown(state.scene);
+      }
+    },
+
+    follow: (state, previous, change) => scene?.follow(state, previous, change),
+
+    settle(...next) {
+      const isPresent = next[2];
+      answer = isPresent ? next : answer;
+      scene?.settle?.(...next);
+    },
+
+    decides: (state, previous) => scene?.decides?.(state, previous) ?? false,
+
+    offer(all) {
+      presets = all;
+      scene?.offer?.(all);
+    },
+
+    forget() {
+      if (scene) {
+        scene.forget();
+      } else {
+        openIfShown(page.present().scene);
+      }
+    },
+
+    pictures: {},
+  };
+}

@@ -1,0 +1,79 @@
+import assert from "node:assert/strict";
+import { readdirSync, readFileSync } from "node:fs";
+import { test } from "node:test";
+
+import { STEPS, textsOf } from "../../frontend/state/lesson.js";
+import { flat, LOCALES } from "./locales.js";
+
+const FRONTEND = new URL("../../frontend/", import.meta.url);
+const sources = readdirSync(FRONTEND, { recursive: true })
+  .filter((file) => /\.(js|html)$/.test(file))
+  .map((file) => readFileSync(new URL(file, FRONTEND), "utf8"))
+  .join("\n");
+const locales = Object.fromEntries(Object.entries(LOCALES).map(([id, texts]) => [id, flat(texts)]));
+const { en: english, ...others } = locales;
+const sections = Object.keys(LOCALES.en).filter((key) => key !== "name");
+
+/** Without the ending that a number asks for. */
+const withoutPlural = (key) => key.replace(/_(zero|one|two|few|many|other)$/, "");
+
+const placeholders = (text) => [...new Set(text.match(/{{\w+}}/g) ?? [])].sort();
+
+/** The keys that stand in the sources, and those of the steps of the lesson. */
+function usedKeys() {
+  const name = `(?:${sections.join("|")})(?:\\.\\w+)+`;
+  const written = [...sources.matchAll(new RegExp(`"(${name})"`, "g"))].map(([, key]) => key);
+  const ofSteps = STEPS.flatMap((step) => Object.values(flat(textsOf(step))));
+  return new Set(["name", ...written, ...ofSteps.filter((key) => key.includes("."))]);
+}
+
+/** What stands before the last part of keys that are put together; those of the steps are known one by one. */
+const families = [...sources.matchAll(/`((?:\w+\.)+)\$\{/g)]
+  .map(([, family]) => family)
+  .filter((family) => family !== "lesson.steps.");
+
+test("every key that is used is there, and every key that is there is used", () => {
+  const there = new Set(Object.keys(english).map(withoutPlural));
+  const used = usedKeys();
+  assert.deepEqual(
+    [...used].filter((key) => !there.has(key)),
+    [],
+  );
+  const isUsed = (key) => used.has(key) || families.some((family) => key.startsWith(family));
+  assert.deepEqual(
+    [...there].filter((key) => !isUsed(key)),
+    [],
+  );
+});
+
+for (const [id, texts] of Object.entries(others)) {
+  test(`${id} has the keys of English, with the same placeholders, and none is empty`, () => {
+    const keys = (of) => [...new Set(Object.keys(of).map(withoutPlural))].sort();
+    assert.deepEqual(keys(texts), keys(english));
+    const wanted = Object.fromEntries(
+      Object.entries(english).map(([key, text]) => [withoutPlural(key), placeholders(text)]),
+    );
+    for (const [key, text] of Object.entries(texts)) {
+      assert.notEqual(text.trim(), "", key);
+      assert.deepEqual(placeholders(text), wanted[withoutPlural(key)], key);
+    }
+  });
+
+  test(`${id} leaves next to nothing as it is in English`, () => {
+    const same = Object.entries(english).filter(
+      ([key, text]) => texts[key] === text && /[a-z]{4}/.test(text.replaceAll(/{{\w+}}/g, "")),
+    );
+    assert.deepEqual(
+      same.map(([key]) => key),
+      [],
+    );
+  });
+}
+
+test("no text holds markup, an address, or a symbol that has a placeholder", () => {
+  for (const [id, texts] of Object.entries(locales)) {
+    for (const [key, text] of Object.entries(texts)) {
+      assert.doesNotMatch(text, /<|https?:|ε_t|g_t|[κψη]|\$t\(/, `${id}: ${key}`);
+    }
+  }
+});
