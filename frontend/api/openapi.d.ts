@@ -460,6 +460,11 @@ export interface components {
             episodes: components["schemas"]["Episode"][] | null;
             /** Episodes Truncated */
             episodes_truncated: boolean;
+            /**
+             * First Episode Share
+             * @description share of the contact until the first switch
+             */
+            first_episode_share: number | null;
             energy: components["schemas"]["Energy"] | null;
             estimates: components["schemas"]["Estimates"] | null;
             sensitivity: components["schemas"]["Sensitivity"] | null;
@@ -1401,6 +1406,11 @@ export interface components {
             episodes: components["schemas"]["Episode"][] | null;
             /** Episodes Truncated */
             episodes_truncated: boolean;
+            /**
+             * First Episode Share
+             * @description share of the contact until the first switch
+             */
+            first_episode_share: number | null;
             energy: components["schemas"]["Energy"] | null;
             estimates: components["schemas"]["Estimates"] | null;
             sensitivity: components["schemas"]["Sensitivity"] | null;

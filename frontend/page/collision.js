@@ -28,8 +28,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
       setCollision({ [parameter.key]: value ?? parameter.initial }, change),
     ),
   }));
-  /** @type {import("../api/answers.js").CollisionAnswer | null} */
-  let result = null;
+  /** @type {import("../state/collision-load.js").LoadedCollision | null} */
+  let loaded = null;
 
   return {
     preview: strip.preview,
@@ -52,8 +52,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
 
     /** @type {NonNullable<import("../scenes/scene.js").Scene["settle"]>} */
     settle(answer, { accuracy, change }, isPresent) {
-      result = answer.result;
-      strip.show(result, change.dragging, isPresent);
+      loaded = answer;
+      strip.show(answer, change.dragging, isPresent);
       accuracyControl.tell(answer.isOffered ? "" : accuracy.method);
     },
 
@@ -63,7 +63,7 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
         title: "Result",
         request: () => ({ call: "collision", query: collisionQuery(present().collision) }),
         parameters: () => ({ ...present().collision }),
-        table: () => result && resultTable(result),
+        table: () => loaded && resultTable(loaded),
       },
     },
   };

@@ -14,6 +14,8 @@ import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 import { write } from "../widgets/write.js";
 
+/** @typedef {Pick<import("../state/collision-load.js").LoadedCollision, "result" | "sentence">} Answered */
+
 /**
  * The strip with ε_t and what else is to be said of the collision.
  * @param {HTMLElement} element
@@ -59,11 +61,11 @@ export function mountResultStrip(element) {
     },
 
     /**
-     * @param {import("../api/answers.js").CollisionAnswer} result
+     * @param {Answered} answer
      * @param {boolean} dragging a screen reader is told the sentence only when this is over
      * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
      */
-    show(result, dragging, isPresent) {
+    show({ result, sentence }, dragging, isPresent) {
       summary.setAttribute("aria-busy", String(dragging));
       if (isPresent) {
         element.removeAttribute("data-stale");
@@ -79,7 +81,7 @@ export function mountResultStrip(element) {
       write(psi, significant(result.parameters.psi ?? Infinity));
       write(epsilonN, significant(result.epsilon_n));
       figures.toggleAttribute("data-damped", result.parameters.damping > 0);
-      typeset(summary, result.summary);
+      typeset(summary, sentence);
       write(
         provenance,
         `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
@@ -93,11 +95,11 @@ function count(value) {
   return String(value ?? ABSENT);
 }
 
-/** The same in a table. @param {import("../api/answers.js").CollisionAnswer} result @returns {import("../figures/tables.js").Table} */
-export function resultTable(result) {
+/** The same in a table. @param {Answered} answer @returns {import("../figures/tables.js").Table} */
+export function resultTable({ result, sentence }) {
   const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
   return {
-    caption: `The collision: ${result.summary}`,
+    caption: `The collision: ${sentence}`,
     headings: ["quantity", "value"],
     rows: [
       ["κ", typable(kappa)],

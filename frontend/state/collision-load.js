@@ -1,5 +1,6 @@
 // @ts-check
 
+import { sentenceOf } from "../format/sentence.js";
 import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./accuracy.js";
 import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawable.js";
 
@@ -20,6 +21,7 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
 /**
  * @typedef {object} LoadedCollision
  * @property {CollisionAnswer} result with ε_t as the chosen method has it
+ * @property {string} sentence about the collision, as it is exactly
  * @property {Trace | null} trace exact
  * @property {string} reason why there is none, where one was wanted
  * @property {boolean} isOffered whether the chosen method answers this collision
@@ -64,6 +66,7 @@ export function createCollisionLoad(server) {
       loadExactly(collision, isPictured, signal),
       isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
     ]);
-    return { ...exactly, result: { ...exactly.result, ...answer }, isOffered };
+    const sentence = sentenceOf(exactly.result);
+    return { ...exactly, sentence, result: { ...exactly.result, ...answer }, isOffered };
   };
 }

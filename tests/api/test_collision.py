@@ -15,6 +15,7 @@ KEYS = {
     "contact_duration",
     "episodes",
     "episodes_truncated",
+    "first_episode_share",
     "energy",
     "estimates",
     "sensitivity",

@@ -115,11 +115,13 @@ def agrees(page: Page, server: str) -> bool:
             return False
     if page.get_by_test_id("result").get_attribute("data-stale") is not None:
         return False
+    # the API's sentence is English, the page makes its own
+    spoken = page.locator("html").get_attribute("lang")
     return (
         number(shown["epsilon-t"]) == float(f"{epsilon_t:.4g}")
         and shown["switches"] == str(answer["switches"])
         and shown["reversals"] == str(answer["reversals"])
-        and shown["summary"] == summary_of(answer)
+        and (spoken != "en" or shown["summary"] == summary_of(answer))
     )
 
 

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { brief, significant } from "../../format/number.js";
+import { sentenceOf } from "../../format/sentence.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { currentTheme } from "../../widgets/theme.js";
 import { write } from "../../widgets/write.js";
@@ -126,7 +127,7 @@ export function mountContactAnimation(element, { onShare }) {
     if (motion && !playback.isPlaying()) {
       picture.setAttribute(
         "aria-label",
-        `A ball pressed on a plane, joined by a spring to the foot it drags along. ${motion.trace.summary}`,
+        `A ball pressed on a plane, joined by a spring to the foot it drags along. ${sentenceOf(motion.trace)}`,
       );
     }
   }

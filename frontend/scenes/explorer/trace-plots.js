@@ -1,5 +1,6 @@
 // @ts-check
 
+import { sentenceOf } from "../../format/sentence.js";
 import { significant } from "../../format/number.js";
 import { createPlot } from "../../widgets/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
@@ -18,7 +19,7 @@ export function mountForceTrace(element) {
     describe(trace) {
       element.setAttribute(
         "aria-label",
-        `Tangential force over μ between plus and minus the normal force, with ${trace.switches} switches. ${trace.summary}`,
+        `Tangential force over μ between plus and minus the normal force, with ${trace.switches} switches. ${sentenceOf(trace)}`,
       );
     },
   };

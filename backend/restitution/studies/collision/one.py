@@ -92,6 +92,8 @@ class CollisionStudy:
         t_c in units of t_scale.
     episodes : list of Episode
         The first `episode_limit` of them; `episodes_truncated` where there are more.
+    first_episode_share : float
+        Share of the contact until the first switch; None where the collision was not followed.
     energy : Energy
         Of the tangential motion, in units of α m_eff g_n².
     estimates : Estimates
@@ -125,6 +127,9 @@ class CollisionStudy:
     contact_duration: Annotated[float, Meaning("t_c in units of t_scale")]
     episodes: list[Episode] | None
     episodes_truncated: bool
+    first_episode_share: Annotated[
+        float | None, Meaning("share of the contact until the first switch")
+    ]
     energy: Energy | None
     estimates: Estimates | None
     sensitivity: Sensitivity | None
@@ -189,6 +194,7 @@ def study_collision(
         contact_duration=contact_duration(parameters.damping),
         episodes=course.episodes if course and "episodes" in wanted else None,
         episodes_truncated=bool(course and course.count > episode_limit),
+        first_episode_share=course.first_share if course else None,
         energy=_energy(parameters.gt_over_gn, epsilon_t) if "energy" in wanted else None,
         estimates=estimates(parameters.kappa, psi, parameters.damping)
         if "estimates" in wanted
@@ -254,7 +260,7 @@ class _Course:
     """What the episodes tell."""
 
     count: int
-    first_end: float
+    first_share: float
     reversals: int
     sensitivity: Sensitivity
     episodes: list[Episode]
@@ -269,11 +275,11 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
         only = Episode("sticking" if resting else "sliding", 0.0, duration, int(not resting))
         phase = np.sqrt(parameters.kappa) * duration if resting else 0.0
         slope = Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)
-        return _Course(1, duration, 0, slope, [only][:episode_limit])
+        return _Course(1, 1.0, 0, slope, [only][:episode_limit])
     listed = zip(path.start, path.end, path.direction, strict=True)
     return _Course(
         path.switches + 1,
-        float(path.end[0]),
+        float(path.end[0]) / duration,
         reversals(path),
         Sensitivity(*sensitivity(path)),
         [
@@ -286,13 +292,11 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
 
 
 def _summary(outcome: _Outcome, course: _Course | None, parameters: CollisionParameters) -> str:
-    psi, damping = parameters.psi, parameters.damping
-    epsilon_t, bound = outcome.epsilon_t, outcome.error_bound
+    epsilon_t, bound, resting = outcome.epsilon_t, outcome.error_bound, parameters.psi == 0.0
     if course is None:
-        return summarise(epsilon_t, bound, None, 0.0, 0, resting=psi == 0.0)
-    share = course.first_end / contact_duration(damping)
-    turns = course.reversals
-    return summarise(epsilon_t, bound, course.count - 1, share, turns, resting=psi == 0.0)
+        return summarise(epsilon_t, bound, None, 0.0, 0, resting=resting)
+    switches, share = course.count - 1, course.first_share
+    return summarise(epsilon_t, bound, switches, share, course.reversals, resting=resting)
 
 
 def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
