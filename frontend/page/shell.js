@@ -1,7 +1,7 @@
 // @ts-check
 
 import { significant, typable } from "../format/number.js";
-import { knownLanguages, spokenLanguage } from "../format/words.js";
+import { knownLanguages, say, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
 import { writeAddress } from "../state/url.js";
@@ -40,9 +40,9 @@ export function mountShell({ present, onOption }) {
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
 
-  const links = SCENES.map(({ id, title }) => {
+  const links = SCENES.map(({ id }) => {
     const link = document.createElement("a");
-    link.textContent = title;
+    link.textContent = say(`page.scenes.${id}`);
     link.addEventListener("click", (event) => {
       event.preventDefault();
       onOption({ scene: id, ...settingOf(id, present().step) });

@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+
 /**
  * A statement of the paper, checked, as `/paper` has it.
  * @typedef {"equation" | "figure" | "number" | "claim"} Kind
@@ -11,45 +13,23 @@
 
 /**
  * What can be said of a statement, each with a mark that needs no colour.
- * @type {{id: Verdict, mark: string, word: string}[]}
+ * @type {{id: Verdict, mark: string}[]}
  */
 export const VERDICTS = [
-  { id: "holds", mark: "✓", word: "holds" },
-  { id: "corrected", mark: "≈", word: "holds with a correction" },
-  { id: "fails", mark: "✗", word: "does not hold" },
+  { id: "holds", mark: "✓" },
+  { id: "corrected", mark: "≈" },
+  { id: "fails", mark: "✗" },
 ];
 
-/** @type {{id: Kind, title: string, short: string}[]} */
-const KINDS = [
-  { id: "equation", title: "Equations", short: "Eq." },
-  { id: "figure", title: "Figures", short: "Fig." },
-  { id: "number", title: "Numbers", short: "Number" },
-  { id: "claim", title: "Claims", short: "Claim" },
-];
+/** @type {Kind[]} */
+const KINDS = ["equation", "figure", "number", "claim"];
 
 /** What the list may be cut down to; the first is everything. */
-export const VERDICT_CHOICES = [
-  { id: "all", title: "all" },
-  { id: "holds", title: "✓ hold" },
-  { id: "corrected", title: "≈ corrected" },
-  { id: "fails", title: "✗ do not hold" },
-];
-export const KIND_CHOICES = [
-  { id: "all", title: "all" },
-  ...KINDS.map(({ id, title }) => ({ id, title: title.toLowerCase() })),
-];
+export const VERDICT_CHOICES = ["all", ...VERDICTS.map(({ id }) => id)];
+export const KIND_CHOICES = ["all", ...KINDS];
 
-/** The paper's sections, in our words. */
-const SECTIONS = [
-  { id: "1", title: "Introduction: the normal force" },
-  { id: "2", title: "Tangential force and restitution" },
-  { id: "3", title: "Pure Coulomb sliding" },
-  { id: "4.1", title: "An example: steel spheres" },
-  { id: "4.2", title: "Scaling" },
-  { id: "4.3", title: "Switching between sliding and sticking" },
-  { id: "4.4", title: "Stiff tangential springs" },
-  { id: "5", title: "Conclusions" },
-];
+/** The paper's sections. */
+const SECTIONS = ["1", "2", "3", "4.1", "4.2", "4.3", "4.4", "5"];
 
 /**
  * The statements of one verdict and kind, by section and kind in the paper's order; what is empty is
@@ -62,10 +42,11 @@ export function grouped(statements, { paper_verdict: verdict, paper_kind: kind }
     (one) => ["all", one.verdict].includes(verdict) && ["all", one.kind].includes(kind),
   );
   return SECTIONS.map((section) => ({
-    ...section,
+    id: section,
+    title: say(`paper.sections.${section.replace(".", "_")}`),
     kinds: KINDS.map((each) => ({
-      ...each,
-      statements: chosen.filter((one) => one.section === section.id && one.kind === each.id),
+      title: say(`paper.kinds.${each}`),
+      statements: chosen.filter((one) => one.section === section && one.kind === each),
     })).filter((each) => each.statements.length > 0),
   })).filter(({ kinds }) => kinds.length > 0);
 }
@@ -78,7 +59,13 @@ export function countOf({ items, corrections, definitions }) {
   const [holds, corrected, fails] = VERDICTS.map(
     ({ id }) => items.filter(({ verdict }) => verdict === id).length,
   );
-  return `${holds} hold, ${definitions.length} of them as definitions; ${corrected} hold with a correction, ${corrections.length} different ones in all; ${fails} do not.`;
+  return say("paper.count", {
+    holds,
+    corrected,
+    fails,
+    definitions: definitions.length,
+    corrections: corrections.length,
+  });
 }
 
 /**
@@ -87,8 +74,7 @@ export function countOf({ items, corrections, definitions }) {
  * @param {Statement[]} all
  */
 export function labelOf({ id, kind }, all) {
-  const { short } = /** @type {typeof KINDS[number]} */ (KINDS.find((each) => each.id === kind));
   const own = /^(?:equation|figure)-(\d+)$/.exec(id)?.[1];
   const place = all.filter((one) => one.kind === kind).findIndex((one) => one.id === id);
-  return `${short} ${own ?? place + 1}`;
+  return say(`paper.labels.${kind}`, { number: own ?? place + 1 });
 }

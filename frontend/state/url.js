@@ -37,8 +37,8 @@ const PAGE_WORDS = {
   statistic: STATISTICS.map(({ id }) => id),
   wanted_error: WANTED_ERRORS,
   velocity_law: ["epsilon_t", "coulomb"],
-  paper_verdict: VERDICT_CHOICES.map(({ id }) => id),
-  paper_kind: KIND_CHOICES.map(({ id }) => id),
+  paper_verdict: VERDICT_CHOICES,
+  paper_kind: KIND_CHOICES,
   step: STEPS.map((_, i) => String(i + 1)),
   // known once the page has its words
   get lang() {

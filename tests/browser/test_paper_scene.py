@@ -60,8 +60,9 @@ def test_printed_and_computed_are_set_as_symbols(used_tab: Page, server: str):
     everything = used_tab.get_by_test_id("paper-list").inner_text()
     assert not re.search(r"[\^{}]|\w_\w", everything), "a symbol that is not set"
     shown.locator("summary").click()
-    expect(shown.locator("details p")).to_have_count(2)
-    expect(shown.locator("details p").last).to_contain_text("one for 5 statements")
+    expect(shown.locator("details p")).to_have_count(3)
+    expect(shown.locator("details p").nth(1)).to_have_text("The correction, one for 5 statements:")
+    assert shown.locator("[lang=en]").count() == 4, "printed, computed, evidence, correction"
 
 
 def test_the_list_is_loaded_only_when_the_scene_is_shown(page: Page, server: str):

@@ -3,6 +3,7 @@
 import { axisTitle, baseLayout, plainAxis } from "../../figures/plot-area.js";
 import { brief } from "../../format/number.js";
 import { PLOT_SYMBOLS } from "../../format/symbols.js";
+import { say } from "../../format/words.js";
 
 /**
  * ε_t along g_t/g_n for one friction; the same ψ stand at the same places of every curve.
@@ -47,7 +48,7 @@ export function collapseFigure(curves, theme, size) {
         { ...curve, name: `μ/α = ${brief(muOverAlpha)}`, x: gtOverGn },
         {
           ...curve,
-          name: `μ/α = ${brief(muOverAlpha)}, over ψ`,
+          name: say("paper.collapse.overPsi", { name: `μ/α = ${brief(muOverAlpha)}` }),
           x: psi,
           xaxis: "x2",
           yaxis: "y2",

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { say } from "../../format/words.js";
 import { countOf, grouped, labelOf, VERDICTS } from "../../state/paper.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -59,7 +60,7 @@ export function mountPaperList(element, onOpen) {
         }),
       );
       if (sections.length === 0) {
-        element.append(made("p", "panel-note", "There is no such statement."));
+        element.append(made("p", "panel-note", say("paper.none")));
       }
     },
   };
@@ -82,16 +83,16 @@ function article(statement, { items, corrections, definitions }) {
   item.dataset.verdict = verdict;
   name.id = `statement-${id}`;
   item.setAttribute("aria-labelledby", name.id);
-  texts.append(...pair("printed", printed), ...pair("computed", computed));
-  details.append(made("summary", "", "How it was decided"), set("p", evidence));
+  texts.append(...pair(say("paper.printed"), printed), ...pair(say("paper.computed"), computed));
+  details.append(made("summary", "", say("paper.decided")), quoted("p", evidence));
   if (correction) {
     const { text, statements } = correction;
-    const shared = statements.length > 1 ? `, one for ${statements.length} statements` : "";
-    details.append(set("p", `The correction${shared}: ${text}`));
+    const heading = made("p", "", say("paper.correction", { count: statements.length }));
+    details.append(heading, quoted("p", text));
   }
   anchor.href = link;
-  anchor.textContent = "Show it";
-  anchor.setAttribute("aria-label", `Show it: ${label}`);
+  anchor.textContent = say("paper.show");
+  anchor.setAttribute("aria-label", say("paper.showNamed", { name: label }));
   item.append(name, badge(verdict, definitions.includes(id)), texts, details, anchor);
   return item;
 }
@@ -101,13 +102,14 @@ function article(statement, { items, corrections, definitions }) {
  * @param {boolean} defines
  */
 function badge(verdict, defines) {
-  const { mark, word } = /** @type {typeof VERDICTS[number]} */ (
+  const { mark } = /** @type {typeof VERDICTS[number]} */ (
     VERDICTS.find(({ id }) => id === verdict)
   );
+  const word = say(`paper.verdicts.${verdict}`);
   const element = made("p", "verdict");
   const sign = made("span", "verdict-mark", mark);
   sign.setAttribute("aria-hidden", "true");
-  element.append(sign, defines ? `${word}, a definition` : word);
+  element.append(sign, defines ? say("paper.verdicts.definition", { verdict: word }) : word);
   return element;
 }
 
@@ -116,15 +118,17 @@ function badge(verdict, defines) {
  * @param {string} text
  */
 function pair(term, text) {
-  return [made("dt", "", term), set("dd", text)];
+  return [made("dt", "", term), quoted("dd", text)];
 }
 
 /**
+ * What is of the paper and about it stays in its language.
  * @param {string} name
  * @param {string} text with symbols
  */
-function set(name, text) {
+function quoted(name, text) {
   const element = document.createElement(name);
+  element.lang = "en";
   typeset(element, text);
   return element;
 }

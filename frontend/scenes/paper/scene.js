@@ -1,6 +1,7 @@
 // @ts-check
 
 import { brief, percentage, significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "../../state/paper.js";
 import { readAddress } from "../../state/url.js";
 import { choices, choose, onChoice } from "../../widgets/choices.js";
@@ -23,8 +24,9 @@ import { collapseTable, stiffLawTable, switchLawTable } from "./tables.js";
 
 /** Names of the choices beside the list, each a key of the state. */
 const FILTERS = /** @type {const} */ ({
-  paper_verdict: VERDICT_CHOICES,
-  paper_kind: KIND_CHOICES,
+  paper_verdict: () =>
+    VERDICT_CHOICES.map((id) => ({ id, title: say(`paper.verdictChoices.${id}`) })),
+  paper_kind: () => KIND_CHOICES.map((id) => ({ id, title: say(`paper.kindChoices.${id}`) })),
 });
 
 /**
@@ -47,7 +49,7 @@ export function mountPaper({ client, present, set, explain }) {
 
   const filters = find(".paper-filters");
   for (const [name, items] of Object.entries(FILTERS)) {
-    choices(byTestId(name.replace("_", "-")), name, items);
+    choices(byTestId(name.replace("_", "-")), name, items());
   }
   onChoice(filters, set);
 
@@ -113,7 +115,7 @@ export function mountPaper({ client, present, set, explain }) {
         drawKey(curves);
         typeset(
           byTestId("collapse-said"),
-          `Above, each friction has its own curve. Below, over ψ, they are one: apart by at most ${significant(spreadOf(curves), 1)}. Two parameters, κ and ψ, are enough.`,
+          say("paper.collapse.said", { spread: significant(spreadOf(curves), 1) }),
         );
       });
       once("stiffLaw", laws.load.stiffLaw, (cuts) => {
@@ -122,7 +124,11 @@ export function mountPaper({ client, present, set, explain }) {
         plots.stiffLaw.show(cuts);
         typeset(
           byTestId("stiff-law-said"),
-          `Stiff springs end below |ε_t| = ${significant(constant, 5)} κ^{−5/4}/ψ (full line), which these ${cuts.length} × ${cuts[0].kappa.length} collisions reach to ${percentage(reach)}; Eq. 27 (dashed) says κ^{−1/2}.`,
+          say("paper.stiffLaw.said", {
+            constant: significant(constant, 5),
+            collisions: `${cuts.length} × ${cuts[0].kappa.length}`,
+            reach: percentage(reach),
+          }),
         );
       });
       once("switchLaw", laws.load.switchLaw, (map) => {
@@ -131,7 +137,7 @@ export function mountPaper({ client, present, set, explain }) {
         plots.switchLaw.show(law);
         typeset(
           byTestId("switch-law-said"),
-          `The most switches of ${map.switches.length} collisions at each κ (points) and √κ t_c/π (line).`,
+          say("paper.switchLaw.said", { collisions: map.switches.length }),
         );
       });
     },
@@ -142,24 +148,24 @@ export function mountPaper({ client, present, set, explain }) {
 
     pictures: {
       paper: {
-        title: "The paper",
+        title: say("page.scenes.paper"),
         request: () => ({ call: "paper", query: {} }),
         parameters: () => ({}),
       },
       collapse: {
-        title: "Collapse onto two parameters",
+        title: say("paper.collapse.picture"),
         request: () => ({ call: "cut", query: laws.queries.collapse()[0] }),
         parameters: () => ({}),
         table: () => shown.collapse && collapseTable(shown.collapse),
       },
       stiff_law: {
-        title: "The stiff limit",
+        title: say("paper.stiffLaw.picture"),
         request: () => ({ call: "cut", query: laws.queries.stiffLaw()[0] }),
         parameters: () => ({}),
         table: () => shown.stiffLaw && stiffLawTable(shown.stiffLaw),
       },
       switch_law: {
-        title: "Largest number of switches",
+        title: say("paper.switchLaw.picture"),
         request: () => ({ call: "map", query: laws.queries.switchLaw() }),
         parameters: () => ({}),
         table: () => shown.switchLaw && switchLawTable(shown.switchLaw),

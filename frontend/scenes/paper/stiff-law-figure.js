@@ -3,6 +3,7 @@
 import { axisTitle, baseLayout, plainAxis } from "../../figures/plot-area.js";
 import { powerOfTen } from "../../format/number.js";
 import { PLOT_SYMBOLS } from "../../format/symbols.js";
+import { say } from "../../format/words.js";
 
 /**
  * A cut along κ at one ψ, with what the server says of stiff springs there.
@@ -34,18 +35,18 @@ export function stiffLawFigure(cuts, theme, size) {
   return {
     data: [
       {
-        name: "collisions",
+        name: say("paper.stiffLaw.collisions"),
         type: "scatter",
         mode: "markers",
         x: shown.map(({ x }) => Math.log10(x)),
         y: shown.map(({ y }) => Math.log10(y)),
         marker: { size: 2.5 * theme.unit, color: theme.tangentialForce, opacity: 0.6 },
       },
-      lawLine("stiff limit", kappa, scaled(least.asymptote, least.psi), {
+      lawLine(say("paper.stiffLaw.limit"), kappa, scaled(least.asymptote, least.psi), {
         color: theme.ink,
         width: 2 * theme.unit,
       }),
-      lawLine("Eq. 27, corrected", kappa, scaled(least.bound, least.psi), {
+      lawLine(say("paper.stiffLaw.corrected"), kappa, scaled(least.bound, least.psi), {
         color: theme.inkSoft,
         width: 1.5 * theme.unit,
         dash: "dash",

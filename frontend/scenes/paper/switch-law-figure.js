@@ -3,6 +3,7 @@
 import { axisTitle, baseLayout, plainAxis } from "../../figures/plot-area.js";
 import { brief } from "../../format/number.js";
 import { PLOT_SYMBOLS } from "../../format/symbols.js";
+import { say } from "../../format/words.js";
 import { decadeAxis, lawLine, LAW_MARGIN } from "./stiff-law-figure.js";
 
 /**
@@ -25,7 +26,7 @@ export function switchLawFigure({ kappa, most, law }, theme, size) {
   return {
     data: [
       {
-        name: "largest number of switches",
+        name: say("paper.switchLaw.points"),
         type: "scatter",
         mode: "markers",
         x: Array.from(kappa, Math.log10),

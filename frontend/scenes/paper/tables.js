@@ -2,6 +2,7 @@
 
 import { spreadIndices } from "../../figures/sample.js";
 import { significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 
 /** @typedef {import("../../figures/tables.js").Table} Table */
 
@@ -11,7 +12,7 @@ const ROWS = 30;
 export function collapseTable(curves) {
   const [{ psi }] = curves;
   return {
-    caption: "ε_t at the same ψ for several μ/α: the columns are one.",
+    caption: say("paper.collapse.table"),
     headings: ["ψ", ...curves.map(({ muOverAlpha }) => `μ/α = ${significant(muOverAlpha, 2)}`)],
     rows: spreadIndices(psi.length, ROWS, []).map((i) => [
       significant(psi[i]),
@@ -24,7 +25,7 @@ export function collapseTable(curves) {
 export function stiffLawTable(cuts) {
   const [{ kappa }] = cuts;
   return {
-    caption: "|ε_t| over the stiff limit at several ψ: nowhere more than 1.",
+    caption: say("paper.stiffLaw.table"),
     headings: ["κ", ...cuts.map(({ psi }) => `ψ = ${significant(psi, 2)}`)],
     rows: spreadIndices(kappa.length, ROWS, []).map((i) => [
       significant(kappa[i]),
@@ -36,8 +37,8 @@ export function stiffLawTable(cuts) {
 /** @param {import("./switch-law-figure.js").SwitchLaw} law @returns {Table} */
 export function switchLawTable({ kappa, most, law }) {
   return {
-    caption: "The largest number of switches, and the law for stiff springs.",
-    headings: ["κ", "most switches", "law"],
+    caption: say("paper.switchLaw.table"),
+    headings: ["κ", say("paper.switchLaw.most"), say("paper.switchLaw.law")],
     rows: spreadIndices(kappa.length, ROWS, []).map((i) => [
       significant(kappa[i]),
       String(most[i]),

@@ -24,17 +24,17 @@ const ALL = { paper_verdict: "all", paper_kind: "all" };
 test("grouped puts sections in the paper's order, kinds within them, and leaves out what is empty", () => {
   const found = grouped(STATEMENTS, ALL).map(({ id, kinds }) => [
     id,
-    kinds.map((kind) => [kind.id, kind.statements.map((each) => each.id)]),
+    kinds.map((kind) => [kind.title, kind.statements.map((each) => each.id)]),
   ]);
   assert.deepEqual(found, [
     [
       "2",
       [
-        ["equation", ["equation-10", "equation-9"]],
-        ["claim", ["claim-a"]],
+        ["Equations", ["equation-10", "equation-9"]],
+        ["Claims", ["claim-a"]],
       ],
     ],
-    ["4.1", [["claim", ["claim-b"]]]],
+    ["4.1", [["Claims", ["claim-b"]]]],
   ]);
 });
 
