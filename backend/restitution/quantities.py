@@ -76,6 +76,17 @@ QUANTITIES = {
     "effective_radius_m": Quantity("effective radius", "R_eff", "m"),
     "effective_modulus_pa": Quantity("effective modulus", "E*", "Pa"),
     "tangential_stiffness_n_per_m": Quantity("stiffness of the tangential spring", "k_t", "N/m"),
+    "friction_coefficient": Quantity("coefficient of friction", "μ"),
+    "normal_stiffness_pa": Quantity("(4/3) E*, of codes with Hertz's force", "k_n", "Pa"),
+    "viscous_damping_per_metre_second": Quantity(
+        "damping of codes with Hertz's force", "γ", "1/(m s)"
+    ),
+    "growing_stiffness_pa": Quantity(
+        "of codes with k_t = K_t √(R_eff ξ): that with the same κ", "K_t", "Pa"
+    ),
+    "linear_stiffness_n_per_m": Quantity(
+        "of codes with a linear normal spring: that with a contact as long", "k_n", "N/m"
+    ),
     "velocity_1_m_s": Quantity("velocity of body 1", "v_1", "m/s"),
     "velocity_2_m_s": Quantity("velocity of body 2", "v_2", "m/s"),
     "spin_1_rad_s": Quantity("angular velocity of body 1", "ω_1", "rad/s"),

@@ -53,6 +53,7 @@ export type Cut = { switches: Int32Array | Float64Array } & Record<
 >;
 
 export type Scaling = Schemas["Scaling"];
+export type CodesAnswer = Schemas["CodesStudy"];
 
 /** Of `/scaling/map`. */
 export type VelocityMap = {

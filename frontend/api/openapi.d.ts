@@ -144,6 +144,26 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/codes": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        get?: never;
+        put?: never;
+        /**
+         * Inputs of DEM codes
+         * @description Return what LAMMPS, YADE and other codes take for a collision of bodies to be this one.
+         */
+        post: operations["codes"];
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/walton": {
         parameters: {
             query?: never;
@@ -419,6 +439,111 @@ export interface components {
             code: string;
             /** Text */
             text: string;
+        };
+        /**
+         * CodeInput
+         * @description What one contact law of one code takes.
+         *
+         *     Attributes
+         *     ----------
+         *     code, style : str
+         *         The code and its name for the law.
+         *     law : {"this", "growing", "linear"}
+         *         The law of this model, one with k_t ∝ √ξ, or one with a linear normal spring.
+         *     lines : list of str
+         *         Of its input, as far as it can be told: SI units, "" for none.
+         *     kappa : float
+         *         κ there: where k_t follows from the materials, theirs.
+         *     epsilon_t : float or None
+         *         None where the law, or its damping, is another one.
+         */
+        CodeInput: {
+            /** Code */
+            code: string;
+            /** Style */
+            style: string;
+            /**
+             * Law
+             * @description that of this model; one with k_t ∝ √ξ; one with a linear normal spring
+             * @enum {string}
+             */
+            law: "this" | "growing" | "linear";
+            /**
+             * Lines
+             * @description of its input, in SI units
+             */
+            lines: string[];
+            /**
+             * Kappa
+             * @description κ there; that of the materials where k_t follows from them
+             */
+            kappa: number;
+            /**
+             * Epsilon T
+             * @description null where its law or damping is another one
+             */
+            epsilon_t: number | null;
+        };
+        /**
+         * CodesStudy
+         * @description A scaled collision of real bodies, as codes take it.
+         *
+         *     Attributes are those of ``POST /codes``, in the SI unit that their names end in;
+         *     `viscous_damping_per_metre_second` is γ in 1/(m s).
+         */
+        CodesStudy: {
+            /** Alpha */
+            alpha: number;
+            /** Normal Velocity M S */
+            normal_velocity_m_s: number;
+            /** Tangential Velocity M S */
+            tangential_velocity_m_s: number;
+            /**
+             * Friction Coefficient
+             * @description coefficient of friction
+             */
+            friction_coefficient: number;
+            /**
+             * Normal Stiffness Pa
+             * @description (4/3) E*, of codes with Hertz's force
+             */
+            normal_stiffness_pa: number;
+            /** Tangential Stiffness N Per M */
+            tangential_stiffness_n_per_m: number;
+            /**
+             * Viscous Damping Per Metre Second
+             * @description damping of codes with Hertz's force
+             */
+            viscous_damping_per_metre_second: number;
+            /**
+             * Growing Stiffness Pa
+             * @description of codes with k_t = K_t √(R_eff ξ): that with the same κ
+             */
+            growing_stiffness_pa: number;
+            /**
+             * Linear Stiffness N Per M
+             * @description of codes with a linear normal spring: that with a contact as long
+             */
+            linear_stiffness_n_per_m: number;
+            /** Contact Duration S */
+            contact_duration_s: number;
+            /** Epsilon N */
+            epsilon_n: number;
+            /**
+             * Epsilon T
+             * @description ε_t, from -1 to 1 unless `timestep` is unstable with so few steps
+             */
+            epsilon_t: number;
+            /**
+             * Codes
+             * @description a contact law of a code each
+             */
+            codes: components["schemas"]["CodeInput"][];
+            /**
+             * Convention
+             * @description sign and point of reference of every number
+             */
+            convention: string;
         };
         /**
          * Collision
@@ -1714,6 +1839,44 @@ export interface components {
             requirement: string;
         };
         /**
+         * CodesBody
+         * @description A scaled collision, and the bodies and the velocity in m/s that are to have it.
+         */
+        CodesBody: {
+            /**
+             * Damping
+             * @description η = (3/2) A β^{2/5} g_n^{1/5}
+             * @default 0
+             */
+            damping?: number;
+            /**
+             * Normal Restitution
+             * @default null
+             */
+            normal_restitution?: number | null;
+            /** Body 1 */
+            body_1: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
+            /** Body 2 */
+            body_2: components["schemas"]["Sphere"] | components["schemas"]["Wall"];
+            /** Normal Velocity M S */
+            normal_velocity_m_s: number;
+            /**
+             * Kappa
+             * @description κ of Eq. 24, with α in it
+             */
+            kappa: number;
+            /**
+             * Mu Over Alpha
+             * @description μ/α
+             */
+            mu_over_alpha: number;
+            /**
+             * Gt Over Gn
+             * @description g_t/g_n
+             */
+            gt_over_gn: number;
+        };
+        /**
          * CollisionsBody
          * @description Many collisions: numbers, which hold for all, and lists of one length, at most 1,000,000.
          */
@@ -2706,6 +2869,73 @@ export interface operations {
                 };
                 content: {
                     "application/json": components["schemas"]["VelocityMap"];
+                    "text/csv; charset=utf-8": string;
+                    "application/x-npz": unknown;
+                };
+            };
+            400: components["responses"]["MalformedBody"];
+            408: components["responses"]["TooSlow"];
+            413: components["responses"]["TooCostly"];
+            415: components["responses"]["NotJson"];
+            422: components["responses"]["WrongParameters"];
+            503: components["responses"]["Busy"];
+        };
+    };
+    codes: {
+        parameters: {
+            query?: {
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
+                /** @description one of json, csv, npz */
+                format?: "json" | "csv" | "npz";
+                /** @description form of arrays in JSON: base64, or plain for lists */
+                encoding?: "plain" | "base64";
+            };
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        requestBody: {
+            content: {
+                /**
+                 * @example {
+                 *       "body_1": {
+                 *         "radius_m": 0.02,
+                 *         "youngs_modulus_pa": 210000000000,
+                 *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
+                 *         "inertia": "solid"
+                 *       },
+                 *       "body_2": {
+                 *         "radius_m": 0.02,
+                 *         "youngs_modulus_pa": 210000000000,
+                 *         "poisson_ratio": 0.3,
+                 *         "density_kg_m3": 7850,
+                 *         "inertia": "solid"
+                 *       },
+                 *       "normal_velocity_m_s": 1,
+                 *       "kappa": 63,
+                 *       "mu_over_alpha": 1.4,
+                 *       "gt_over_gn": 1.358
+                 *     }
+                 */
+                "application/json": components["schemas"]["CodesBody"];
+            };
+        };
+        responses: {
+            /** @description The answer. */
+            200: {
+                headers: {
+                    "Cache-Control": components["headers"]["NoStore"];
+                    "Server-Timing": components["headers"]["ServerTiming"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["CodesStudy"];
                     "text/csv; charset=utf-8": string;
                     "application/x-npz": unknown;
                 };

@@ -48,6 +48,7 @@ SUIT = {
     "table": (suit_table, 16),
     "scaling": (suit_bodies, 2),
     "velocity_map": (suit_bodies, 2),
+    "codes": (suit_bodies, 2),
 }
 
 

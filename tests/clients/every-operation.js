@@ -45,6 +45,16 @@ const answers = {
   velocity_map: await client.POST("/api/v1/scaling/map", {
     body: { ...contact, normal_velocity_m_s: velocities, tangential_velocity_m_s: velocities },
   }),
+  codes: await client.POST("/api/v1/codes", {
+    body: {
+      body_1: contact.body_1,
+      body_2: contact.body_2,
+      normal_velocity_m_s: 1,
+      kappa: 63,
+      mu_over_alpha: 1.4,
+      gt_over_gn: 1.358,
+    },
+  }),
   walton: await client.GET("/api/v1/walton", { params: { query: { beta_0: 0.4 } } }),
   materials: await client.GET("/api/v1/materials"),
   table: await client.GET("/api/v1/table", {

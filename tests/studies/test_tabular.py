@@ -136,7 +136,7 @@ def test_name_that_ends_in_a_unit_has_that_unit():
         for unit in [next((unit for end, unit in UNITS.items() if name.endswith(end)), None)]
         if unit
     }
-    assert len(ending) == 15
+    assert len(ending) == 18
     assert {name: QUANTITIES[name].unit for name in ending} == ending
 
 

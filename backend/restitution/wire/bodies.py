@@ -17,12 +17,18 @@ from restitution.methods.options import Damping, NormalRestitution, Options, Tol
 from restitution.studies.collision.axis import Axis, Scale
 from restitution.studies.collision.dampings import dampings_told, no_way_with, told_twice
 from restitution.studies.collision.many import LISTED, QUANTITIES, BatchQuantity, ListedQuantity
-from restitution.studies.collision.parameters import GtOverGn, Kappa, MuOverAlpha
-from restitution.studies.spheres.bodies import NotNegative, Positive
+from restitution.studies.collision.parameters import (
+    CollisionParameters,
+    GtOverGn,
+    Kappa,
+    MuOverAlpha,
+)
+from restitution.studies.spheres.bodies import Body, NotNegative, Positive, two_walls
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import AnyImpact
 from restitution.studies.spheres.velocity_map import one_velocity_missing
 from restitution.wire.arrays import MOST_ITEMS, number_array
+from restitution.wire.damped import Damped
 from restitution.wire.parsing import in_utf8, parse_lists
 from restitution.wire.reading import adapter, entries
 from restitution.wire.refusals import RefusedParametersError, refusal
@@ -76,6 +82,28 @@ class NormalRange(VelocityRange):
 
     min: Positive
     count: Whole = 200
+
+
+@closed
+class CodesBody(Damped):
+    """A scaled collision, and the bodies and the velocity in m/s that are to have it."""
+
+    body_1: Body
+    body_2: Body
+    normal_velocity_m_s: Positive
+    kappa: Kappa
+    mu_over_alpha: MuOverAlpha
+    gt_over_gn: GtOverGn
+
+    @staticmethod
+    def misfits(given: Mapping[str, Any]) -> Iterator[Misfit]:
+        """Yield that both bodies are walls."""
+        yield from two_walls(given)
+
+    @property
+    def parameters(self) -> CollisionParameters:
+        """The collision itself."""
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.eta)
 
 
 RANGE = Words("an object with min, max, count and scale")

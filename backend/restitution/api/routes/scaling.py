@@ -8,6 +8,7 @@ import numpy as np
 from restitution.api.calls import Calls
 from restitution.bounds import values
 from restitution.studies.collision.parameters import CONVENTION
+from restitution.studies.spheres.codes import CodesStudy, study_codes
 from restitution.studies.spheres.collision import study_scaling
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.materials import MATERIALS, Material
@@ -15,7 +16,7 @@ from restitution.studies.spheres.velocity_map import study_velocity_map
 from restitution.studies.spheres.walton import WaltonStudy, study_walton
 from restitution.wire import answers
 from restitution.wire.arrays import refuse_more_points
-from restitution.wire.bodies import ScalingBody, VelocityMapBody
+from restitution.wire.bodies import CodesBody, ScalingBody, VelocityMapBody
 from restitution.wire.formats import Payload, Result
 from restitution.wire.queries import NoQuery, WaltonQuery
 from restitution.wire.results import batch_payload, scaling_result
@@ -95,6 +96,32 @@ def velocity_map(body: VelocityMapBody) -> Result:
             **study.batch.columns,
         },
     )
+
+
+@calls.posted(
+    "/codes",
+    CodesBody,
+    CodesStudy,
+    "Inputs of DEM codes",
+    example={name: CONTACT[name] for name in ("body_1", "body_2")}
+    | {"normal_velocity_m_s": 1, "kappa": 63, "mu_over_alpha": 1.4, "gt_over_gn": 1.358},
+)
+def codes(body: CodesBody) -> Result:
+    """Return what LAMMPS, YADE and other codes take for a collision of bodies to be this one."""
+    study = study_codes(body.body_1, body.body_2, body.normal_velocity_m_s, body.parameters)
+
+    def table() -> Payload:
+        rows = [
+            {**vars(each), "lines": "\n".join(each.lines), "epsilon_t": _or_nan(each.epsilon_t)}
+            for each in study.codes
+        ]
+        return {name: [row[name] for row in rows] for name in rows[0]}
+
+    return Result(vars(study), table, table)
+
+
+def _or_nan(value: float | None) -> float:
+    return np.nan if value is None else value
 
 
 @calls.computed(
