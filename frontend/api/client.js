@@ -19,6 +19,7 @@ import {
  * @typedef {import("./answers.js").MapGrid} MapGrid
  * @typedef {import("./answers.js").Cut} Cut
  * @typedef {import("./answers.js").Scaling} Scaling
+ * @typedef {import("./answers.js").CodesAnswer} CodesAnswer
  * @typedef {import("./answers.js").VelocityMap} VelocityMap
  * @typedef {import("./answers.js").Stepped} Stepped
  * @typedef {import("./answers.js").Tradeoff} Tradeoff
@@ -233,6 +234,16 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
      */
     async scaling(body, signal) {
       return (await get(`${base}/scaling`, signal, posted(body))).body;
+    },
+
+    /**
+     * What DEM codes take for a collision.
+     * @param {Record<string, any>} body
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<CodesAnswer>}
+     */
+    async codes(body, signal) {
+      return (await get(`${base}/codes`, signal, posted(body))).body;
     },
 
     /**

@@ -170,3 +170,26 @@ export function typable(value) {
   const digits = full.length > LONGEST_PLAIN && scientific.length < full.length ? scientific : full;
   return digits.replace(".", decimalMark());
 }
+
+/** @type {[number, string][]} */
+const PREFIXES = [
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
+];
+
+/**
+ * A quantity in the multiple of its unit that reads best.
+ * @param {number} value
+ * @param {string} unit
+ * @param {number} [digits]
+ */
+export function inUnits(value, unit, digits = 4) {
+  const found = PREFIXES.find(([factor]) => Math.abs(value) >= factor);
+  const isFar = Math.abs(value) >= 1e9;
+  const [factor, prefix] = found && !isFar ? found : [1, ""];
+  return `${significant(value / factor, digits)} ${prefix}${unit}`;
+}

@@ -40,7 +40,7 @@ export const PLOT_SYMBOLS = {
  * of the paper that stands alone.
  */
 const SYMBOL =
-  /((?:(?<![A-Za-ce-z])[A-Za-z]|[εψκηξζμΩ])_(?:[a-z0](?![a-z])|\{[^{}]*\})|\^\{[^{}]*\}|[εψκμανηξζβτ](?!_)|(?<![A-Za-z])t(?= = ))/;
+  /((?:(?<![A-Za-ce-z])[A-Za-z]|[εψκηξζμγΩ])_(?:[a-z0](?![a-z])|\{[^{}]*\})|\^\{[^{}]*\}|[εψκμανηξζβτγ](?!_)|(?<![A-Za-z])t(?= = ))/;
 
 /**
  * A text in pieces: plain ones, and symbols as a letter with its index, as in ε_t, m_{eff} or κ, or a

@@ -157,6 +157,11 @@ function ofSecond(like, key, name) {
  * @typedef {{normal_velocity_m_s: number, tangential_velocity_m_s: number, epsilon_t: number}} MeasuredPoint
  */
 
+/** That of an impact, or the first where there is none of its name. @param {Material[]} materials @param {Impact} impact */
+export function materialOf(materials, { material }) {
+  return materials.find(({ id }) => id === material) ?? materials[0];
+}
+
 /** Nothing set by hand. @param {string} material @returns {Impact} */
 export function impactOf(material) {
   const nothing = IMPACT_PARAMETERS.map(({ key }) => [key, null]);

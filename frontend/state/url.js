@@ -23,7 +23,7 @@ const WORDS = {
 /** Panels that belong to one scene. */
 const PANELS = {
   explorer: ["force", "velocity", "map", "cut", "contact"],
-  accuracy: ["tradeoff", "error_map", "overlay", "steps"],
+  accuracy: ["tradeoff", "error_map", "overlay", "steps", "codes"],
   spheres: ["velocities", "sphere_cut", "impact", "place"],
   paper: ["paper", "collapse", "stiff_law", "switch_law"],
 };

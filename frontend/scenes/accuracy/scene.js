@@ -1,6 +1,6 @@
 // @ts-check
 
-import { collisionQuery, errorMapQuery, steppedQuery } from "../../api/queries.js";
+import { errorMapQuery, steppedQuery, stepsQuery } from "../../api/queries.js";
 import { accuracyQuery, failingOf, inSteps } from "../../state/accuracy.js";
 import { createFollower, isSame } from "../../state/follower.js";
 import { axesFor, rowsOf } from "../../state/map-view.js";
@@ -8,11 +8,12 @@ import { sameCollision } from "../../state/parameters.js";
 import { find } from "../../widgets/find.js";
 import { afterNextFrame } from "../../widgets/painted.js";
 import { mountCalculator } from "./calculator.js";
+import { mountCodesPanel } from "./codes-panel.js";
 import { errorMapWish, FULL_ERROR_MAP, isEnoughErrorMap } from "./error-map-wish.js";
 import { mountErrorMap } from "./error-map.js";
 import { mountRemeasure } from "./remeasure.js";
 import { mountStepOverlay } from "./step-overlay.js";
-import { errorTable, steppedTable, tradeoffTable } from "./tables.js";
+import { codesTable, errorTable, steppedTable, tradeoffTable } from "./tables.js";
 import { mountTradeoff } from "./tradeoff.js";
 
 /**
@@ -43,7 +44,8 @@ const LOOKS = {
  * @param {import("../scene.js").Page} page
  * @returns {import("../scene.js").Scene}
  */
-export function mountAccuracy({ client, present, set, setCollision, setAccuracy, explain }) {
+export function mountAccuracy(page) {
+  const { client, present, set, setCollision, setAccuracy, explain } = page;
   const tradeoffPanel = mountTradeoff(find(".tradeoff"), {
     onOption: set,
     onAccuracy: setAccuracy,
@@ -51,6 +53,7 @@ export function mountAccuracy({ client, present, set, setCollision, setAccuracy,
   const errorMap = mountErrorMap(find(".error-map"), setCollision);
   const overlay = mountStepOverlay(find(".overlay"), setAccuracy);
   const calculator = mountCalculator(find(".calculator"), set);
+  const codes = mountCodesPanel(find(".codes"), page);
   const remeasure = mountRemeasure(find(".remeasure"), {
     start: client.startRun,
     look: client.run,
@@ -116,7 +119,10 @@ export function mountAccuracy({ client, present, set, setCollision, setAccuracy,
       return { here, there };
     },
     isEnough: isSame,
-    onAnswer: (answers, { region }) => calculator.show({ ...answers, region }),
+    onAnswer(answers, { region, error }) {
+      calculator.show({ ...answers, region });
+      codes.settleSteps({ needed: answers.here, error });
+    },
     onError: explain,
   });
 
@@ -183,6 +189,7 @@ export function mountAccuracy({ client, present, set, setCollision, setAccuracy,
       errorMaps.follow(errorMapWish(state, false, errorMaps.asked()));
       followOverlay(state);
       followCalculator(state);
+      codes.follow(state);
     },
 
     /** The exact force lies under the steps; while dragging, the pictures come after it. */
@@ -202,7 +209,7 @@ export function mountAccuracy({ client, present, set, setCollision, setAccuracy,
     },
 
     forget() {
-      for (const follower of [tradeoffs, errorMaps, overlays, calculations]) {
+      for (const follower of [tradeoffs, errorMaps, overlays, calculations, codes]) {
         follower.forget();
       }
     },
@@ -260,12 +267,18 @@ export function mountAccuracy({ client, present, set, setCollision, setAccuracy,
         title: "Steps for an error",
         request() {
           const { collision, wanted_error: error } = present();
-          return {
-            call: "steps",
-            query: { ...collisionQuery({ ...collision, damping: 0 }), error },
-          };
+          return { call: "steps", query: stepsQuery(collision, error) };
         },
         parameters,
+      },
+      codes: {
+        title: "Inputs of DEM codes",
+        request: () => ({ call: "codes", query: {}, body: codes.asked() }),
+        parameters,
+        table() {
+          const answer = codes.shown();
+          return answer && codesTable(answer);
+        },
       },
     },
   };

@@ -68,3 +68,22 @@ export function errorTable(errors, view, rows, collision) {
 function valuesOf(scale, count) {
   return Float64Array.from({ length: count }, (_, i) => scale.fromShare(i / (count - 1)));
 }
+
+/**
+ * What each code takes, without what there is to say of its law.
+ * @param {import("../../api/answers.js").CodesAnswer} answer
+ * @returns {Table}
+ */
+export function codesTable({ codes }) {
+  return {
+    caption: "ε_t is that of the same law and damping. CSV and JSON hold all digits.",
+    headings: ["code", "law", "κ", "ε_t", "input"],
+    rows: codes.map(({ code, style, kappa, epsilon_t, lines }) => [
+      code,
+      style,
+      significant(kappa),
+      significant(epsilon_t),
+      lines.join("; "),
+    ]),
+  };
+}

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { ABSENT, alphaInWords, significant } from "../../format/number.js";
+import { ABSENT, alphaInWords, inUnits, significant } from "../../format/number.js";
 import { collisionOfImpact } from "../../state/parameters.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -75,26 +75,4 @@ function rowsOf(scaling) {
     ["ε_t", significant(scaling.epsilon_t)],
     ["switches", String(scaling.switches ?? ABSENT)],
   ];
-}
-
-/** @type {[number, string][]} */
-const PREFIXES = [
-  [1e6, "M"],
-  [1e3, "k"],
-  [1, ""],
-  [1e-3, "m"],
-  [1e-6, "µ"],
-  [1e-9, "n"],
-];
-
-/**
- * A quantity in the multiple of its unit that reads best.
- * @param {number} value
- * @param {string} unit
- */
-function inUnits(value, unit) {
-  const found = PREFIXES.find(([factor]) => Math.abs(value) >= factor);
-  const isFar = Math.abs(value) >= 1e9;
-  const [factor, prefix] = found && !isFar ? found : [1, ""];
-  return `${significant(value / factor, 4)} ${prefix}${unit}`;
 }

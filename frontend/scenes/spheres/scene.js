@@ -5,7 +5,14 @@ import { mapFigure } from "../../figures/map-figure.js";
 import { MAP_MARGIN } from "../../figures/plot-area.js";
 import { mapTable } from "../../figures/tables.js";
 import { createFollower, isSame } from "../../state/follower.js";
-import { contactBody, impactOf, valuesOf, velocityView, workedOut } from "../../state/impact.js";
+import {
+  contactBody,
+  impactOf,
+  materialOf,
+  valuesOf,
+  velocityView,
+  workedOut,
+} from "../../state/impact.js";
 import { axesFor, horizontalAxis, placeOnMap, rowsOf, sameAxes } from "../../state/map-view.js";
 import { collisionOfImpact, SOLID_ALPHA } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";
@@ -160,7 +167,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
 
   /** @param {boolean} dragging */
   function drawCut(dragging) {
-    const material = materialOf(present());
+    const material = materialOf(materials, present().impact);
     if (!shown.cut || !material) {
       return;
     }
@@ -203,11 +210,6 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     }
   }
 
-  /** @param {PageState} state */
-  function materialOf({ impact }) {
-    return materials.find(({ id }) => id === impact.material) ?? materials[0] ?? null;
-  }
-
   async function loadMaterials() {
     areMaterialsAsked = true;
     try {
@@ -227,7 +229,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
    * @param {PageState | null} previous
    */
   function show(state, previous) {
-    const material = materialOf(state);
+    const material = materialOf(materials, state.impact);
     if (state.scene !== "spheres" || !material) {
       return;
     }
@@ -255,7 +257,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     if (state.scene !== "spheres") {
       return;
     }
-    const material = materialOf(state);
+    const material = materialOf(materials, state.impact);
     if (!areMaterialsAsked) {
       loadMaterials();
     }
