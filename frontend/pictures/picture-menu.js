@@ -20,6 +20,11 @@ const FILES = [
     title: "CSV with decimal commas, semicolons between cells",
     form: { format: "csv", separator: "semicolon", decimal: "comma" },
   },
+  {
+    text: "CSV + units",
+    title: "CSV below a line of units and convention",
+    form: { format: "csv", header: "units" },
+  },
   { text: "JSON", form: { format: "json" } },
 ];
 

@@ -90,6 +90,7 @@ def test_every_picture_gives_its_data_and_itself(
     rest(used_tab)
     begins = {
         "CSV": rb"(time|kappa|gt_over_gn),",
+        "CSV + units": rb"# ",
         "CSV 0,5": rb"(time|kappa|gt_over_gn);.*\n(-?\d+,\d+;|0;)",
         "JSON": rb"\{",
         "PNG": rb"\x89PNG",
