@@ -79,3 +79,11 @@ function filled(text, values) {
     Object.hasOwn(all, name) ? String(all[name]) : braces,
   );
 }
+
+/** So many characters of a text are quoted. */
+const LONGEST_QUOTE = 24;
+
+/** A text as it is quoted. @param {string} text */
+export function shortened(text) {
+  return text.length > LONGEST_QUOTE ? `${text.slice(0, LONGEST_QUOTE - 1)}…` : text;
+}

@@ -1,8 +1,8 @@
 // @ts-check
 
-import { powerOfTen } from "./number.js";
+import { powerOfTen, significant } from "./number.js";
 import { kindOf, takenBy, unitOf } from "./units.js";
-import { decimalMark } from "./words.js";
+import { decimalMark, say, shortened } from "./words.js";
 
 const NARROW_SPACE = "\u202f";
 
@@ -64,6 +64,17 @@ const FACTORS = [
 /** @typedef {{power?: number, times?: number}} Factor */
 
 /**
+ * What says of a value how large it may be or how far it may be off, and is none itself; by its signs, with
+ * a digit beside them.
+ * @type {[RegExp, string][]}
+ */
+const NO_VALUES = [
+  [/^[<>≤≥⩽⩾] ?=? ?[-+.\d]/, "bound"],
+  [/^(?:±|\+\/?-) ?[.\d]/, "margin"],
+  [/\d ?(?:±|\+\/-) ?[.\d]|\d\(\d+\)/, "uncertain"],
+];
+
+/**
  * What a text says that is typed or pasted into a field of a quantity: as the page prints it, as papers,
  * programs and spreadsheets do.
  * @param {string} text
@@ -74,8 +85,13 @@ const FACTORS = [
  * @returns {Reading}
  */
 export function readWritten(text, { subject, unit = "", decimal = decimalMark() }) {
-  const number = numberIn(inPlainSigns(text), decimal);
-  if (!number || /^[-+\d.,^*/(±]/.test(number.rest)) {
+  const plain = inPlainSigns(text);
+  const [, kind] = NO_VALUES.find(([signs]) => signs.test(plain)) ?? [];
+  if (kind) {
+    return { refusal: say(`fields.${kind}`, { text: shortened(text.trim()), subject }) };
+  }
+  const number = numberIn(plain, decimal);
+  if (!number || /^[-+\d.,^*/]/.test(number.rest)) {
     return { refusal: "" };
   }
   const own = /** @type {import("./units.js").Unit} */ (unitOf(inPlainSigns(unit)));
@@ -98,7 +114,8 @@ export function readWritten(text, { subject, unit = "", decimal = decimalMark() 
     value: shifted(digits, times * ratio, by, power + given.power - own.power),
   }));
   if (!readings.every(({ value }) => Number.isFinite(value))) {
-    return { refusal: "" };
+    const most = significant(Number.MAX_VALUE, 2);
+    return { refusal: say("fields.beyond", { text: shortened(text.trim()), most }) };
   }
   return readings.length === 1 ? { value: readings[0].value } : { readings };
 }
@@ -138,7 +155,7 @@ function numberIn(plain, decimal) {
   if (divisor !== undefined) {
     const divisors = numeralsOf(divisor, decimal);
     // Two questions at once are none that a button answers.
-    return numerals.length === 1 && divisors.length === 1
+    return numerals.length === 1 && divisors.length === 1 && Number(divisors[0]) > 0
       ? { meanings: [{ digits: sign + numerals[0], by: Number(divisors[0]) }], rest: unit.trim() }
       : null;
   }

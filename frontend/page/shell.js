@@ -118,10 +118,10 @@ export function mountShell({ present, onOption }) {
       // The results beyond the paper are not of this collision.
       if (root.dataset.embed && root.dataset.shown !== "paper") {
         const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
-        const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
+        const damped = damping > 0 ? `, η = ${short(damping)}` : "";
         typeset(
           caption,
-          `κ = ${typable(kappa)}, μ/α = ${typable(mu)}, g_t/g_n = ${typable(gt)}${damped}: ε_t = ${significant(epsilon)}`,
+          `κ = ${short(kappa)}, μ/α = ${short(mu)}, g_t/g_n = ${short(gt)}${damped}: ε_t = ${significant(epsilon)}`,
         );
       }
     },
@@ -133,6 +133,11 @@ function languageOption({ id, name }) {
   const option = new Option(name, id);
   option.lang = id;
   return option;
+}
+
+/** A parameter as it reads in a line: those of real spheres have all digits. @param {number} value */
+function short(value) {
+  return typable(Number(value.toPrecision(6)));
 }
 
 /**

@@ -35,7 +35,7 @@ const notNegative = (/** @type {number} */ value) => value >= 0;
 const FIRST = [
   {
     key: "normal_velocity_m_s",
-    name: "normal velocity, m/s",
+    name: "normal velocity",
     unit: "m/s",
     admits: positive,
     requirement: "a velocity greater than 0, in m/s",
@@ -44,7 +44,7 @@ const FIRST = [
   },
   {
     key: "tangential_velocity_m_s",
-    name: "tangential velocity, m/s",
+    name: "tangential velocity",
     unit: "m/s",
     admits: notNegative,
     requirement: "a velocity, 0 or greater, in m/s",
@@ -53,7 +53,7 @@ const FIRST = [
   },
   {
     key: "radius_m",
-    name: "radius, m",
+    name: "radius",
     unit: "m",
     admits: positive,
     requirement: "a length greater than 0, in m",
@@ -62,7 +62,7 @@ const FIRST = [
   },
   {
     key: "youngs_modulus_pa",
-    name: "Young’s modulus, Pa",
+    name: "Young’s modulus",
     unit: "Pa",
     admits: positive,
     requirement: "a modulus greater than 0, in Pa",
@@ -79,7 +79,7 @@ const FIRST = [
   },
   {
     key: "tangential_stiffness_n_per_m",
-    name: "tangential stiffness, N/m",
+    name: "tangential stiffness",
     unit: "N/m",
     admits: positive,
     requirement: "a stiffness greater than 0, in N/m",
@@ -88,7 +88,7 @@ const FIRST = [
   },
   {
     key: "dissipative_constant_s",
-    name: "dissipative constant, s",
+    name: "dissipative constant",
     unit: "s",
     admits: notNegative,
     requirement: "a time, 0 or greater, in s",
@@ -110,12 +110,12 @@ export const IMPACT_PARAMETERS = [
     ticks: [0.01, 0.5, 1],
     folded: true,
   },
-  density("density_kg_m3", "density, kg/m³"),
+  density("density_kg_m3", "density"),
   poissonRatio("poisson_ratio", "Poisson’s ratio"),
-  ofSecond("radius_m", "radius_2_m", "of the second, m"),
-  density("density_2_kg_m3", "of the second, kg/m³"),
-  ofSecond("youngs_modulus_pa", "youngs_modulus_2_pa", "of the second, Pa"),
-  poissonRatio("poisson_ratio_2", "of the second"),
+  ofSecond("radius_m", "radius_2_m", "second radius"),
+  density("density_2_kg_m3", "second density"),
+  ofSecond("youngs_modulus_pa", "youngs_modulus_2_pa", "second modulus"),
+  poissonRatio("poisson_ratio_2", "second Poisson’s ratio"),
 ];
 
 /** @param {ImpactKey} key @param {string} name @returns {ImpactParameter} */

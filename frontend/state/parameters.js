@@ -1,12 +1,13 @@
 // @ts-check
 
+import { shortened } from "../format/words.js";
 import { powerScale, logScale } from "./scales.js";
 
 /**
  * A parameter of the collision, named as the API names it.
  * @typedef {object} Parameter
  * @property {"kappa" | "mu_over_alpha" | "gt_over_gn" | "damping"} key
- * @property {string} name in words, with the unit after a comma
+ * @property {string} name in words
  * @property {string} [unit] of its values; a field takes any of the same dimension
  * @property {number} initial
  * @property {(value: number) => boolean} admits
@@ -98,9 +99,6 @@ function rounded(value) {
   return Number(value.toPrecision(12));
 }
 
-/** So many characters of a text are quoted. */
-const LONGEST_QUOTE = 24;
-
 /**
  * What is wrong with a text, in words.
  * @param {string} name
@@ -109,11 +107,6 @@ const LONGEST_QUOTE = 24;
  */
 export function misfit(name, requirement, text) {
   return `${name} must be ${requirement}${text && `, not “${shortened(text)}”`}`;
-}
-
-/** @param {string} text */
-export function shortened(text) {
-  return text.length > LONGEST_QUOTE ? `${text.slice(0, LONGEST_QUOTE - 1)}…` : text;
 }
 
 /**

@@ -2,15 +2,8 @@
 
 import { typable } from "../format/number.js";
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
-import { decimalMark } from "../format/words.js";
-import {
-  misfit,
-  parseTyped,
-  shortened,
-  SLIDER_STEPS,
-  sliderStep,
-  valueAtStep,
-} from "../state/parameters.js";
+import { decimalMark, say, shortened } from "../format/words.js";
+import { misfit, parseTyped, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 
 /** After so many ms without a key, a number is taken for typed. */
 const TYPING_PAUSE = 600;
@@ -31,7 +24,7 @@ export function createNumberField(field, problem, parameter, onChange) {
   const { admits, requirement, name, unit } = parameter;
   const symbol = PLAIN_SYMBOLS[parameter.key];
   const unmet = misfit(symbol, requirement, "");
-  const subject = unit ? `the ${name.split(",")[0]}` : symbol;
+  const subject = unit ? `the ${name}` : symbol;
   let value = NaN;
   let isWorkedOut = false;
   /** What was before anything was typed. @type {number | null} */
@@ -56,9 +49,10 @@ export function createNumberField(field, problem, parameter, onChange) {
     pause = setTimeout(settle, TYPING_PAUSE);
   });
   field.addEventListener("change", () => settle({ isDone: true }));
+  // What was wrong with it is still to be read when the field is left.
   field.addEventListener("blur", () => {
     if (open === null) {
-      restore();
+      write();
     }
   });
   field.addEventListener("keydown", (event) => {
@@ -89,14 +83,16 @@ export function createNumberField(field, problem, parameter, onChange) {
     if (text === open) {
       return;
     }
-    if (text === typable(value) || parseTyped(text, decimalMark()) !== null) {
+    const typed = parseTyped(text, decimalMark());
+    if (text === typable(value) || typed !== null) {
       change(present());
+      tell(typed === null || admits(typed) ? "" : unmet);
       return;
     }
     open = text;
     const reading = await import("../format/written.js")
       .then(({ readWritten }) => readWritten(text, { subject, unit }))
-      .catch(() => ({ refusal: "" }));
+      .catch(() => ({ refusal: say("fields.unread", { text: shortened(text) }) }));
     // Typed on, or set by other means.
     if (open !== text) {
       return;

@@ -22,6 +22,7 @@ export function mountParameterControl(parent, parameter, onChange) {
   const problem = find(".parameter-problem", root);
   const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
+  const name = parameter.unit ? `${parameter.name}, ${parameter.unit}` : parameter.name;
   /** What a reset goes back to. @type {number | null | undefined} */
   let usual;
   const number = createNumberField(field, problem, parameter, onChange);
@@ -29,14 +30,14 @@ export function mountParameterControl(parent, parameter, onChange) {
   root.dataset.parameter = hook;
   find("label", root).setAttribute("for", `${hook}-field`);
   find(".parameter-symbol", root).innerHTML = SYMBOLS[parameter.key];
-  find(".parameter-name", root).textContent = parameter.name;
+  find(".parameter-name", root).textContent = name;
   field.id = `${hook}-field`;
   field.dataset.testid = `${hook}-field`;
   problem.id = `${hook}-problem`;
   problem.dataset.testid = `${hook}-problem`;
   field.setAttribute("aria-describedby", problem.id);
   slider.dataset.testid = `${hook}-slider`;
-  slider.setAttribute("aria-label", `${plainSymbol}, ${parameter.name}`);
+  slider.setAttribute("aria-label", `${plainSymbol}, ${name}`);
   slider.max = String(SLIDER_STEPS);
   reset.dataset.testid = `${hook}-reset`;
   find(".parameter-ticks", root).append(...ticks(parameter));

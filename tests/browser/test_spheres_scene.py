@@ -4,7 +4,16 @@ import urllib.parse
 from pathlib import Path
 
 import pytest
-from explorer import body_of, collision_of, materials, number, post, settle, text, trace_of
+from explorer import (
+    body_of,
+    collision_of,
+    materials,
+    number,
+    post,
+    settle,
+    text,
+    trace_of,
+)
 from playwright.sync_api import Page, expect
 from rest import eventually
 
@@ -223,11 +232,28 @@ def test_a_normal_restitution_stands_in_for_the_dissipative_constant(page: Page,
     settle(page, server)
     constant = page.get_by_test_id("dissipative-constant-s-field")
     assert float(constant.input_value()) == pytest.approx(2.314e-6)
+    # and it is said of which velocity ε_n is one
+    note = page.locator(".parameter-note")
+    expect(note).to_have_text("This εn holds at the gn above; when that changes, A follows.")
+    velocity = page.get_by_test_id("normal-velocity-m-s-field")
+    velocity.fill("2")
+    velocity.press("Enter")
+    eventually(lambda: float(constant.input_value()) < 2.3e-6, page)
+    assert page.get_by_test_id("normal-restitution-field").input_value() == "0.9"
+    velocity.fill("1")
+    velocity.press("Enter")
     # set by hand again, that holds
     constant.fill("0")
     constant.press("Enter")
     eventually(lambda: shows(page, post(server, "scaling", body_of(material))), page)
     assert "normal_restitution" not in page.url
+    expect(note).to_be_hidden()
+
+
+def test_a_frame_tells_its_collision_in_few_digits(page: Page, server: str):
+    page.goto("/?scene=spheres&material=steel&embed=impact")
+    settle(page, server)
+    expect(page.get_by_test_id("embed-caption")).to_contain_text("κ = 11224.9, μ/α = 1.4")
 
 
 def test_a_second_body_of_its_own_is_in_the_address_and_unfolded_there(page: Page, server: str):

@@ -64,6 +64,41 @@ def test_a_unit_of_another_dimension_is_refused_in_words(used_tab: Page, server:
     assert "radius_m" not in query_of(used_tab)
 
 
+@pytest.mark.parametrize(
+    ("written", "said"),
+    [
+        ("-5", "κ must be a number greater than 0"),
+        ("−5 × 10⁻⁴", "κ must be a number greater than 0"),
+        ("> 99.9 %", "“> 99.9 %” is a bound, not a value; κ takes one number"),
+        ("±10⁻¹⁴", "“±10⁻¹⁴” is how far a value may be off, not the value; κ takes one number"),
+    ],
+)
+def test_what_is_wrong_is_still_said_when_the_field_is_left(
+    used_tab: Page, server: str, written: str, said: str
+):
+    visit(used_tab, "/?kappa=20")
+    settle(used_tab, server)
+    field = used_tab.get_by_test_id("kappa-field")
+    problem = used_tab.get_by_test_id("kappa-problem")
+    field.fill(written)
+    field.press("Tab")
+    settle(used_tab, server)
+    expect(problem).to_have_text(said)
+    expect(field).to_have_value("20")
+    field.fill("21")
+    expect(problem).to_be_empty()
+
+
+def test_the_second_body_is_named_where_it_refuses(used_tab: Page):
+    visit(used_tab, "/?scene=spheres&material=glass-on-glass&second=sphere&radius_2_m=0.03")
+    field = used_tab.get_by_test_id("radius-2-m-field")
+    field.fill("380 GPa")
+    field.press("Tab")
+    expect(used_tab.get_by_test_id("radius-2-m-problem")).to_have_text(
+        "GPa is a pressure; the second radius takes m, mm, cm, µm"
+    )
+
+
 def test_what_is_shown_is_taken(used_tab: Page, server: str):
     visit(used_tab, "/?scene=spheres&material=glass-on-glass")
     settle(used_tab, server)
@@ -198,7 +233,7 @@ def test_without_what_reads_units_plain_numbers_count_and_the_rest_is_refused(
     field.fill("2/7")
     field.press("Enter")
     expect(page.get_by_test_id("kappa-problem")).to_have_text(
-        "κ must be a number greater than 0, not “2/7”"
+        "What reads “2/7” did not arrive; digits are taken"
     )
     field.fill("0,5")
     settle(page, server)

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
+import { say } from "../../format/words.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { mountParameterControl } from "../../widgets/parameter-control.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -34,6 +35,9 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
   const parent = find(".impact-parameters", element);
   const more = /** @type {HTMLDetailsElement} */ (byTestId("more-bodies", element));
   const second = byTestId("second", element);
+  /** An ε_n that is set is that of the present velocity. */
+  const note = document.createElement("p");
+  note.className = "parameter-note";
   /** What the material says. @type {Record<ImpactKey, number | null> | null} */
   let usual = null;
   let usualInertia = "";
@@ -56,7 +60,11 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
       const set = value === usual?.[key] ? null : value;
       onChange({ [key]: set, ...(other ? { [other]: null } : {}) }, change);
     });
-    return { key, root: /** @type {HTMLElement} */ (place.lastElementChild), ...mounted };
+    const root = /** @type {HTMLElement} */ (place.lastElementChild);
+    if (key === "normal_restitution") {
+      root.append(note);
+    }
+    return { key, root, ...mounted };
   }
 
   function unfold() {
@@ -103,6 +111,8 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
       unfold();
       const values = valuesOf(material, impact);
       const isWall = secondOf(material, impact) === "wall";
+      typeset(note, say("spheres.restitutionHolds"));
+      note.hidden = impact.normal_restitution === null;
       for (const { key, root, show } of controls) {
         root.hidden = isWall && OF_SPHERE.includes(key);
         if (!root.hidden) {
