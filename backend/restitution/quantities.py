@@ -45,6 +45,7 @@ QUANTITIES = {
     "tolerance_met": Quantity("whether error_bound is within the tolerance", unit=""),
     "largest_error": Quantity("largest error of interpolation in the table"),
     "reversals": Quantity("sign changes of g_t during the contact"),
+    "first_episode_share": Quantity("share of the contact until the first switch"),
     "contact_duration": Quantity("duration of the contact", "t_c", "t_scale"),
     "energy": Quantity("tangential energy, u²/2 + κz²/2 with u = g_t/g_n", unit=ENERGY),
     "dissipated_share": Quantity("share of the tangential energy that is lost"),

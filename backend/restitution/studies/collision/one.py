@@ -127,9 +127,7 @@ class CollisionStudy:
     contact_duration: Annotated[float, Meaning("t_c in units of t_scale")]
     episodes: list[Episode] | None
     episodes_truncated: bool
-    first_episode_share: Annotated[
-        float | None, Meaning("share of the contact until the first switch")
-    ]
+    first_episode_share: Annotated[float | None, QUANTITY["first_episode_share"]]
     energy: Energy | None
     estimates: Estimates | None
     sensitivity: Sensitivity | None
