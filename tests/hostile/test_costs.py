@@ -50,6 +50,10 @@ def options(random: Random) -> Drawn:
     return found
 
 
+def quantities(random: Random) -> Drawn:
+    return {"quantities": random.choice(["epsilon_t", "error", "epsilon_t,switches,error"])}
+
+
 def axis(random: Random, name: str, most: int) -> Drawn:
     low, high = sorted([value(random), value(random)])
     return {
@@ -82,12 +86,12 @@ def cut(random: Random) -> Drawn:
         "maximum": high,
         "count": count(random, 2, 100_000),
         "scale": random.choice(["linear", "log"]),
-    } | options(random)
+    } | (options(random) | quantities(random))
 
 
 def grid(random: Random) -> Drawn:
     axes = axis(random, "kappa", 2000) | axis(random, "gt_over_gn", 2000)
-    return {"mu_over_alpha": value(random)} | axes | options(random)
+    return {"mu_over_alpha": value(random)} | axes | options(random) | quantities(random)
 
 
 def table(random: Random) -> Drawn:
@@ -204,6 +208,24 @@ def test_costs_of_many_more_requests_are_known_before_the_work(service, path, se
     random = Random(f"{path} {seed}")
     for _ in range(200):
         ask(service, path, random)
+
+
+STIFF = {"mu_over_alpha": 1.0, "kappa_max": 1e8, "kappa_count": 300, "gt_over_gn_count": 300}
+WEAK = STIFF | {"gt_over_gn_max": 1.7, "gt_over_gn_count": 3000}
+
+
+@pytest.mark.parametrize("damping", [0.0, 4e-176, 0.1])
+@pytest.mark.parametrize(
+    "more",
+    [
+        pytest.param(STIFF | {"quantities": "epsilon_t,error"}, id="error-beside"),
+        pytest.param(WEAK, id="most-only-looked-at"),
+        pytest.param(WEAK | {"quantities": "epsilon_t", "tolerance": 1e-6}, id="looked-at-twice"),
+    ],
+)
+def test_limit_holds_for_all_that_is_looked_at_and_followed(service, damping, more):
+    response = service.affordable(lambda: service.get("/map", damping=damping, **more))
+    assert response.status_code == 200
 
 
 def test_every_option_is_drawn():

@@ -118,17 +118,17 @@ print(hashlib.sha256(b"".join(np.ascontiguousarray(each).tobytes() for each in f
 
 
 @pytest.mark.verify
-def test_a_process_that_compiles_answers_as_one_that_loads(tmp_path):
-    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+def test_a_process_that_compiles_answers_as_one_that_loads_and_as_any_processor(tmp_path):
+    any_processor = {"NUMBA_CPU_NAME": "generic", "NUMBA_CPU_FEATURES": ""}
     answers = {
         subprocess.run(
             [sys.executable, "-c", ANSWERS],
-            env=environment,
+            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path), **more},
             check=True,
             capture_output=True,
             text=True,
         ).stdout
-        for _ in ("compiled", "loaded")
+        for more in ({}, {}, any_processor)
     }
     assert len(answers) == 1
 

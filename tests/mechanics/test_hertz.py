@@ -46,7 +46,8 @@ def test_normal_motion_is_relatively_exact_from_touch_to_largest_compression(the
 
 def test_energy_is_conserved():
     x, rate, _ = normal_curves(np.linspace(0, CONTACT_DURATION, 1001))
-    np.testing.assert_allclose(rate**2 + 0.8 * x**2.5, 1.0, rtol=0, atol=1e-15)
+    # of x within 2 roundings, times 2.5, and of ẋ within 2, twice
+    np.testing.assert_allclose(rate**2 + 0.8 * x**2.5, 1.0, rtol=0, atol=5 * ROUNDING)
 
 
 def test_motion_is_mirror_symmetric_about_half_the_contact():

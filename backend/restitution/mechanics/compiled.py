@@ -43,10 +43,9 @@ class _Kernel:
 
     _machine: Any = None
 
-    def __init__(self, function: Callable[..., Any], *, always_inline: bool) -> None:
+    def __init__(self, function: Callable[..., Any]) -> None:
         functools.update_wrapper(self, function)
         self.py_func = function
-        self._always_inline = always_inline
 
     def _made(self) -> Any:
         # a third of a second that an import need not take
@@ -55,7 +54,7 @@ class _Kernel:
         with _choosing:
             while _choices:
                 _choices.pop()()
-        made = kernels.compile_lazily(self.py_func, always_inline=self._always_inline)
+        made = kernels.compile_lazily(self.py_func)
         # of several threads the first: it compiles for all
         return vars(self).setdefault("_machine", made)
 
@@ -71,23 +70,12 @@ class _Kernel:
 def compiled(function: Function) -> Function:
     """Compile `function` at its first call, without the interpreter lock.
 
-    Multiplications and additions may be fused: it only removes roundings. Division by zero gives
-    an infinity as in numpy, for the extremes of the parameters rely on it.
+    Nothing of fastmath, so that each operation is rounded as it is written. Were multiplications
+    and additions fused, a function compiled into its caller could be fused in another way than by
+    itself, and a process that compiles would answer with other last bits than one that loads.
+    Division by zero gives an infinity as in numpy, for the extremes of the parameters rely on it.
     """
-    kernel: Any = _Kernel(function, always_inline=False)
-    result: Function = kernel
-    return result
-
-
-def inlined(function: Function) -> Function:
-    """Compile `function` into each that calls it.
-
-    What is called keeps a name in the machine code of its caller, and the first of that name in a
-    process stands for all: where one was compiled by itself and one along with its caller, sums may
-    be fused differently. A process that compiles would then answer with other last bits than one
-    that loads what was compiled.
-    """
-    kernel: Any = _Kernel(function, always_inline=True)
+    kernel: Any = _Kernel(function)
     result: Function = kernel
     return result
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from restitution.mechanics.compiled import compiled, inlined
+from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import FloatArray
 
 STEP = 0.125
@@ -79,7 +79,7 @@ class Viscoelastic(NamedTuple):
     """κψ above which the number of switches is that of the η which this contact stands for."""
 
 
-@inlined
+@compiled
 def expand(
     a: float, b: float, sense: float, root: float, rate: float, cap: float, series: FloatArray
 ) -> None:

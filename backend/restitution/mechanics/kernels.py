@@ -100,14 +100,9 @@ class _KernelCache(FunctionCache):
         return found
 
 
-def compile_lazily(function: Callable[..., Any], *, always_inline: bool) -> Any:
+def compile_lazily(function: Callable[..., Any]) -> Any:
     """Return what compiles `function` for each kind of arguments, or loads what was compiled."""
-    compiler: Any = numba.njit(
-        nogil=True,
-        error_model="numpy",
-        fastmath={"contract"},
-        forceinline=always_inline,
-    )
+    compiler: Any = numba.njit(nogil=True, error_model="numpy")
     kernel: Any = compiler(function)
     # where `enable_caching` puts numba's own
     kernel._cache = _KernelCache(function)  # noqa: SLF001

@@ -30,9 +30,13 @@ def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     return SECONDS_FOR_A_SWITCH * switches * (DEARER_BY_DAMPING if damping else 1.0)
 
 
-def budget(damping: float, share: float = 1.0) -> float:
-    """Return how many switches a request may follow."""
-    return share * MOST_SWITCHES_PER_REQUEST / (DEARER_BY_DAMPING if damping else 1.0)
+def budget(looked_at: int, damping: float, share: float = 1.0) -> float:
+    """Return how many switches a request may follow beside so many collisions that it looks at.
+
+    To find out that one is not to be followed takes about as long as a switch.
+    """
+    most = share * MOST_SWITCHES_PER_REQUEST / (DEARER_BY_DAMPING if damping else 1.0)
+    return max(0.0, most - looked_at)
 
 
 def switch_limit(expected: FloatArray, most: float = MOST_SWITCHES_PER_REQUEST) -> float:
@@ -51,13 +55,15 @@ def switch_limit(expected: FloatArray, most: float = MOST_SWITCHES_PER_REQUEST) 
 
 
 def follow_affordable(
-    kappa: FloatArray, psi: FloatArray, damping: float, share: float = 1.0
+    kappa: FloatArray, psi: FloatArray, damping: float, share: float = 1.0, *, spent: int = 0
 ) -> Collision:
     """Return the exact results of collisions (N,), 0 within a bound for those beyond the budget.
 
-    Without damping that is the sharp stiff limit, with it `viscoelastic.energy_bound`.
+    Without damping that is the sharp stiff limit, with it `viscoelastic.energy_bound`. `spent` are
+    switches of the budget that are followed already.
     """
-    affordable = switch_limit(expected_switch_counts(kappa, psi, damping), budget(damping, share))
+    most = budget(kappa.size + spent, damping, share)
+    affordable = switch_limit(expected_switch_counts(kappa, psi, damping), most)
     return collide(kappa, psi, damping, affordable)
 
 
@@ -79,14 +85,14 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
         If the collisions are too many or too stiff.
     """
     expected = expected_switch_counts(kappa, psi, options.damping)
-    most = budget(options.damping, options.share)
-    affordable = switch_limit(expected, most)
+    affordable = switch_limit(expected, budget(kappa.size, options.damping, options.share))
     if np.any(expected > affordable):
+        most = budget(0, options.damping, options.share)
         raise CostError(
-            f"the exact method would follow about {expected.sum():.3g} switches here, up to "
-            f"{expected.max():.3g} in one collision; the limits are "
-            f"{most:,.0f} and {MOST_SWITCHES:,}. Ask for fewer or softer "
-            "collisions, or for method=auto"
+            f"the exact method would follow about {expected.sum():.3g} switches of {kappa.size:,} "
+            f"collisions here, up to {expected.max():.3g} in one; the limits are {most:,.0f} of "
+            f"both together and {MOST_SWITCHES:,}. Ask for fewer or softer collisions, or for "
+            "method=auto"
         )
     result = collide(kappa, psi, options.damping, affordable)
     lost = result.switches == TOO_STIFF

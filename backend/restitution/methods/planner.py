@@ -84,7 +84,12 @@ def _named(found: Collision, options: Options) -> Answer:
     resort = "coulomb" if options.damping else "stiff"
     method = np.where(found.switches == TOO_STIFF, resort, "exact")
     return Answer(
-        found.epsilon_t, found.error_bound, method, found.switches, found.switches_certain
+        found.epsilon_t,
+        found.error_bound,
+        method,
+        found.switches,
+        found.switches_certain,
+        exact.known(found),
     )
 
 
@@ -93,7 +98,10 @@ def _cheapest_damped(kappa: FloatArray, psi: FloatArray, options: Options) -> An
     # the limit of 0 switches leaves to be followed what slides from its first swing on
     found = collide(kappa, psi, options.damping, 0.0)
     needed = np.flatnonzero(found.error_bound > options.tolerance)
-    fine = exact.follow_affordable(kappa[needed], psi[needed], options.damping, options.share)
+    spent = kappa.size + int(found.switches.clip(0).sum())
+    fine = exact.follow_affordable(
+        kappa[needed], psi[needed], options.damping, options.share, spent=spent
+    )
     columns: tuple[npt.NDArray[Any], ...] = found
     for column, followed in zip(columns, fine, strict=True):
         column[needed] = followed
