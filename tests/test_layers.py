@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[1]
 BACKEND = ROOT / "backend" / "restitution"
 
 NUMBERS = {"mechanics", "errors", "interruption"}
-STUDIES = {"studies", "methods", "bounds", "quantities"} | NUMBERS
+STUDIES = {"studies", "methods", "bounds", "neighbours", "quantities"} | NUMBERS
 MAY_IMPORT = {
     "mechanics": NUMBERS,
     "methods": {"methods", "bounds", "quantities"} | NUMBERS,

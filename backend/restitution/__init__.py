@@ -19,7 +19,12 @@ Results have `to_pandas` and `to_xarray` (extra ``notebook``), and `explore` sho
 through all of it is docs/python-walk.md.
 """
 
-from restitution.errors import CostError, ParameterError, RestitutionError
+from restitution.errors import (
+    CostError,
+    ParameterError,
+    RestitutionError,
+    UnknownParameterError,
+)
 from restitution.methods.options import Options
 from restitution.public.collisions import (
     collision,
@@ -76,6 +81,7 @@ __all__ = [
     "Sphere",
     "StepsStudy",
     "TraceStudy",
+    "UnknownParameterError",
     "Velocities",
     "VelocityMap",
     "Wall",

@@ -9,7 +9,7 @@ import functools
 import math
 import sys
 import typing
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from numbers import Real
 from types import NoneType, UnionType
@@ -29,6 +29,7 @@ from typing import (
 import annotated_types as at
 
 from restitution.errors import ParameterError
+from restitution.neighbours import naming_neighbours
 
 if sys.version_info >= (3, 12):
     from typing import TypeAliasType as TypeAliasType  # noqa: PLC0414 - for other rooms, too
@@ -212,37 +213,89 @@ class _Rule(NamedTuple):
 @functools.cache
 def _rules(of: Any) -> list[_Rule]:
     """Return the rules of the fields that have one."""
-    rules = []
-    for name, annotation in annotations(of).items():
-        parts = members(annotation)
-        kinds = [plain(part) for part in parts]
-        words = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
-        number = next((kind for kind in kinds if kind in (float, int)), None)
-        classes: tuple[Any, ...] = tuple(filter(is_dataclass, kinds))
-        is_vector = get_origin(kinds[0]) is tuple
-        if words or number or classes or is_vector:
-            words += [None] if NoneType in get_args(plain(annotation)) else []
-            bounds = interval(parts[0])
-            rules.append(_Rule(name, annotation, number, *bounds, tuple(words), classes, is_vector))
-    return rules
+    rules = [_rule(name, annotation) for name, annotation in annotations(of).items()]
+    return [rule for rule in rules if rule]
+
+
+def _rule(name: str, annotation: Any) -> _Rule | None:
+    parts = members(annotation)
+    kinds = [plain(part) for part in parts]
+    words = [word for kind in kinds if get_origin(kind) is Literal for word in get_args(kind)]
+    number = next((kind for kind in kinds if kind in (float, int)), None)
+    classes: tuple[Any, ...] = tuple(filter(is_dataclass, kinds))
+    is_vector = get_origin(kinds[0]) is tuple
+    if not (words or number or classes or is_vector):
+        return None
+    words += [None] if NoneType in get_args(plain(annotation)) else []
+    return _Rule(name, annotation, number, *interval(parts[0]), tuple(words), classes, is_vector)
 
 
 def _settle(made: Any) -> None:
     """Refuse what is out of bounds; make numbers of their kind, −0 the 0 that it equals."""
     cls: Any = type(made)
-    for name, annotation, kind, low, high, words, classes, is_vector in _rules(cls):
-        value: Any = getattr(made, name)
-        is_of_kind = type(value) is kind
-        # of −0 the sign is to go
-        if is_of_kind and low <= value <= high and (value or math.copysign(1, value) > 0):
-            continue
-        parts = list(map(as_float, value)) if is_vector and isinstance(value, Iterable) else []
-        if len(parts) == 3 and all(map(math.isfinite, parts)):
-            object.__setattr__(made, name, tuple(parts))
-        elif kind and low <= as_float(value) <= high and kind(value) == value:
-            object.__setattr__(made, name, kind(value) + kind(0))
-        elif not (isinstance(value, classes) or value in words):
-            raise ParameterError(name, value, requirement(annotation))
+    for rule in _rules(cls):
+        value = getattr(made, rule.name)
+        if (settled := _settled(rule, value)) is not value:
+            object.__setattr__(made, rule.name, settled)
+
+
+def _settled(rule: _Rule, value: Any) -> Any:
+    """Return what a field holds that is given a value, if it may be given that."""
+    name, annotation, kind, low, high, words, classes, is_vector = rule
+    is_of_kind = type(value) is kind
+    # of −0 the sign is to go
+    if is_of_kind and low <= value <= high and (value or math.copysign(1, value) > 0):
+        return value
+    parts = list(map(as_float, value)) if is_vector and isinstance(value, Iterable) else []
+    if len(parts) == 3 and all(map(math.isfinite, parts)):
+        return tuple(parts)
+    if kind and low <= as_float(value) <= high and kind(value) == value:
+        return kind(value) + kind(0)
+    if isinstance(value, classes) or any(value is word or value == word for word in words):
+        return value
+    raise ParameterError(name, value, requirement(annotation))
+
+
+def allowed(parameter: str, value: Any, annotation: Any) -> Any:
+    """Return a parameter of a function as its annotation has it.
+
+    Raises
+    ------
+    ParameterError
+        If it is none that the annotation allows.
+
+    Examples
+    --------
+    >>> allowed("steps", 50.0, Annotated[int, at.Ge(4)])
+    50
+    """
+    rule = _rule(parameter, annotation)
+    assert rule, annotation
+    return _settled(rule, value)
+
+
+def chosen(parameter: str, words: Collection[str], known: Collection[str]) -> tuple[str, ...]:
+    """Return words that are known ones; a text holds several as in a query.
+
+    Raises
+    ------
+    ParameterError
+        If one is not known.
+
+    Examples
+    --------
+    >>> chosen("quantities", "epsilon_t,switches", ["epsilon_t", "epsilon_n", "switches"])
+    ('epsilon_t', 'switches')
+    """
+    given = words.split(",") if isinstance(words, str) else words
+    requirement = f"a choice of {', '.join(known)}"
+    if not isinstance(given, Iterable):
+        raise ParameterError(parameter, given, requirement)
+    found = tuple(given)
+    for word in found:
+        if word not in known:
+            raise ParameterError(parameter, word, requirement)
+    return found
 
 
 def as_float(value: object) -> float:
@@ -287,4 +340,6 @@ def checked(cls: type[Kind]) -> type[Kind]:
 def _made(cls: type[Kind], check: Callable[[Any], None], *, kw_only: bool) -> type[Kind]:
     cls.__post_init__ = check  # type: ignore[attr-defined] # as dataclasses have it
     cls.__pydantic_config__ = {"extra": "forbid", "allow_inf_nan": False}  # type: ignore[attr-defined]
-    return dataclass(frozen=True, kw_only=kw_only)(cls)
+    made: Any = dataclass(frozen=True, kw_only=kw_only)(cls)
+    made.__init__ = naming_neighbours(made.__init__)
+    return made  # type: ignore[no-any-return]

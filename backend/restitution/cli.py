@@ -145,6 +145,18 @@ def _in_a_folder(_: click.Context, __: click.Parameter, path: Path | None) -> Pa
     return path
 
 
+def _that_can_be_made(
+    context: click.Context, parameter: click.Parameter, out: BinaryIO
+) -> BinaryIO:
+    """Refuse the same of a file that is opened when it is written to, and a folder."""
+    # a stream of a test has no name
+    path = Path(getattr(out, "name", "-"))
+    _in_a_folder(context, parameter, path)
+    if path.is_dir():
+        raise click.BadParameter(f"{path} is a folder")
+    return out
+
+
 def _positive(_: click.Context, __: click.Parameter, number: float) -> float:
     if not 0 < number < math.inf:
         raise click.BadParameter(f"it must be finite and > 0, got {number:g}")
@@ -231,7 +243,13 @@ SCALE = click.Choice(get_args(Scale))
     callback=_positive,
     help="Time of one core that it may take.",
 )
-@click.option("--out", type=click.File("wb"), default="-", help="Standard output by default.")
+@click.option(
+    "--out",
+    type=click.File("wb"),
+    default="-",
+    callback=_that_can_be_made,
+    help="Standard output by default.",
+)
 @click.option(
     "--store",
     type=click.Path(file_okay=False, path_type=Path),

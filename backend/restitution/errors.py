@@ -43,6 +43,36 @@ class ParameterError(RestitutionError, ValueError):
         return type(self), (self.parameter, self.value, self.requirement)
 
 
+class UnknownParameterError(RestitutionError, TypeError):
+    """A keyword that a function or a class does not have, and what it was perhaps meant for.
+
+    Parameters
+    ----------
+    parameter : str
+        As it was written.
+    value : object
+        What it was given.
+    meant : str or None
+        A name that there is.
+
+    Examples
+    --------
+    >>> str(UnknownParameterError("kapa", 3, "kappa"))
+    'no such parameter: kapa, got 3; did you mean kappa?'
+    """
+
+    def __init__(self, parameter: str, value: object, meant: str | None) -> None:
+        hint = f"; did you mean {meant}?" if meant else ""
+        super().__init__(f"no such parameter: {parameter}, got {value!r}{hint}")
+        self.parameter = parameter
+        self.value = value
+        self.meant = meant
+
+    def __reduce__(self) -> tuple[type, tuple[str, object, str | None]]:
+        # as of `ParameterError`
+        return type(self), (self.parameter, self.value, self.meant)
+
+
 class CostError(RestitutionError):
     """A request that would cost more than its budget, refused before any work.
 
@@ -74,6 +104,12 @@ def require(
     if allowed is True or np.all(allowed):
         return
     given = np.asarray(values, dtype=np.float64)
-    index = np.unravel_index(int(np.argmin(allowed)), given.shape)
-    name = f"{parameter}[{','.join(map(str, index))}]" if index else parameter
-    raise ParameterError(name, float(given[index]), requirement)
+    place = int(np.argmin(allowed))
+    name = element(parameter, given.shape, place)
+    raise ParameterError(name, float(given.ravel()[place]), requirement)
+
+
+def element(parameter: str, shape: tuple[int, ...], place: int) -> str:
+    """Return the name of an element, by its place in the array made flat; a number has none."""
+    index = ",".join(map(str, np.unravel_index(place, shape)))
+    return f"{parameter}[{index}]" if shape else parameter

@@ -128,7 +128,7 @@ def naming_neighbours(
 
     @functools.wraps(call)
     def called(*given: Parameters.args, **named: Parameters.kwargs) -> Returned:
-        for name in named.keys() - known.keys():
+        for name in (name for name in named if name not in known):
             raise UnknownParameterError(name, named[name], neighbour(name, known))
         return call(*given, **named)
 

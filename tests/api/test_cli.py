@@ -13,22 +13,12 @@ from restitution.studies.spheres.bodies import Sphere
 from restitution.studies.spheres.contact import Contact
 from restitution.studies.spheres.impact import TOLD_BY
 from restitution.wire.impact_options import OPTIONS
+from steel import PAIR, SPHERE
+from steel import TOLD as STEEL
 
-STEEL = [
-    "--radius", "0.02", "--density", "7850", "--youngs-modulus", "2.1e11",
-    "--poisson-ratio", "0.3", "--friction", "0.4",
-]  # fmt: skip
-SPHERE = {
-    "radius_m": 0.02,
-    "density_kg_m3": 7850,
-    "youngs_modulus_pa": 2.1e11,
-    "poisson_ratio": 0.3,
-}
 BODY = {
-    "body_1": SPHERE,
+    **PAIR,
     "body_2": {"wall": True, "youngs_modulus_pa": 7e10, "poisson_ratio": 0.25},
-    "friction_coefficient": 0.4,
-    "tangential_stiffness_n_per_m": "mindlin",
     "impact": {"velocity_1_m_s": [1, 0, -2], "velocity_2_m_s": [0, 0, 0], "normal": [0, 0, 1]},
 }
 
@@ -176,6 +166,8 @@ REFUSED = [
 @pytest.mark.parametrize(("arguments", "change"), REFUSED)
 def test_collide_refuses_in_the_words_of_the_service(service, arguments, change):
     detail = service.problem(service.post(BODY | change, path="/scaling"), 422)["detail"]
+    for option in (option for option in OPTIONS if option.name in arguments):
+        detail = detail.replace(".".join(option.path), option.name)
     done = run("collide", "-", *arguments, given=json.dumps(BODY))
     assert done.exit_code != 0
     assert done.stderr.removeprefix("Error: ").strip().split("\n") == detail.split("; ")
@@ -198,8 +190,15 @@ def test_walton_prints_the_smallest_kappa_and_says_that_there_are_others():
         (["-"], '{"body_1": {"radius_m": 0}}', "body_1.radius_m must be finite and > 0, got 0"),
         (["-"], json.dumps(BODY | {"impact": {**BODY["impact"], "velocity_1_m_s": [0, 0, 1]}}),
          "approach"),
-        ([*STEEL, "--normal-velocity", "-1"], None, "impact.normal_velocity_m_s"),
-        ([*STEEL, "--normal-velocity", "nan"], None, "impact.normal_velocity_m_s"),
+        ([*STEEL, "--normal-velocity", "-1"], None, "--normal-velocity must be finite and > 0"),
+        ([*STEEL, "--normal-velocity", "nan"], None, "--normal-velocity must be finite and > 0"),
+        (["--radius", "0,02"], None, "--radius must be finite and > 0, with a decimal point"),
+        (["--radius", "1"], None, "--density is missing; it must be finite and > 0, unless --mass"),
+        (["--radius", "1"], None, "with --speed and --angle, or with --velocity-1"),
+        ([*STEEL, "--speed", "1"], None, "--angle is missing"),
+        (["-", "--radius", "-1"], '{"body_1": {}}', "--radius must be finite and > 0, got -1.0"),
+        (["-", "--radius", "1"], '{"body_1": {}}', "body_1.poisson_ratio is missing"),
+        (["-"], "", "the body is empty"),
         (["nowhere.json"], None, "nowhere.json"),
     ],
 )  # fmt: skip
@@ -208,6 +207,16 @@ def test_collide_refuses_in_words(arguments, given, words):
     assert done.exit_code != 0
     assert words in done.stderr
     assert "Traceback" not in done.output
+
+
+def test_collide_refuses_the_second_body_only_for_what_is_said_of_it():
+    lines = run("collide", "--radius", "-1", "--poisson-ratio-2", "3").stderr.splitlines()
+    assert [line for line in lines if "radius" in line] == [
+        "Error: --radius must be finite and > 0, got -1.0"
+    ]
+    assert "--poisson-ratio-2 must be > -1 and ≤ 0.5, got 3.0" in lines
+    assert "--poisson-ratio is missing; it must be > -1 and ≤ 0.5" in lines
+    assert not [line for line in lines if "body_" in line]
 
 
 def test_table_is_that_of_the_service(service):
@@ -250,6 +259,10 @@ def test_table_goes_to_a_file(tmp_path):
         (["--kappa", "nan", "3"], "kappa"),
         (["--seconds", "nan"], "must be finite and > 0, got nan"),
         (["--seconds", "0"], "must be finite and > 0, got 0"),
+        (["--epsilon-n", "0.9"], "Did you mean '--normal-restitution'?"),
+        (["--sep", "tab"], "Did you mean '--separator'?"),
+        (["--out", "/nowhere/table"], "there is no folder /nowhere"),
+        (["--out", "/"], "/ is a folder"),
     ],
 )
 def test_table_refuses_in_words(arguments, words):

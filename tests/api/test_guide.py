@@ -7,6 +7,7 @@ import pytest
 from fastapi import FastAPI
 from starlette.testclient import TestClient
 
+from restitution.api import guide
 from restitution.api.guide import add_guide
 
 SCRIPT = "document.title = 1"
@@ -70,3 +71,14 @@ def test_a_client_that_has_a_page_is_told_so(made):
     for known in (tag, tag.removesuffix('"') + '-gzip"'):
         again = made.get("/guide/", headers={"If-None-Match": known})
         assert (again.status_code, again.text) == (304, "")
+
+
+def test_a_file_is_looked_through_for_scripts_once_while_it_is_the_same(
+    made, tmp_path, monkeypatch
+):
+    looked, through = [], guide.policy
+    monkeypatch.setattr(guide, "policy", lambda *given: looked.append(given) or through(*given))
+    rules = {made.get("/guide/").headers["content-security-policy"] for _ in range(3)}
+    assert (len(looked), len(rules)) == (1, 1)
+    (tmp_path / "guide" / "index.html").write_text(PAGE.replace("= 1", "= 2"))
+    assert made.get("/guide/").headers["content-security-policy"] not in rules

@@ -6,17 +6,10 @@ import math
 
 import numpy as np
 import pytest
-from test_scaling import BODY, SPHERE, VECTORS, WALL, changed, scaling, wrong
+from test_scaling import BODY, VECTORS, WALL, changed, scaling, wrong
 
 from restitution.mechanics.contact import damping_of
-
-STEEL = {
-    "body_1": SPHERE,
-    "body_2": SPHERE,
-    "friction_coefficient": 0.4,
-    "tangential_stiffness_n_per_m": "mindlin",
-    "impact": {"normal_velocity_m_s": 1, "tangential_velocity_m_s": 0.5},
-}
+from steel import PAIR as STEEL
 
 
 def test_normal_restitution_gives_the_dissipative_constant(service):

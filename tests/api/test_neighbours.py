@@ -6,21 +6,15 @@ from collections import Counter
 import pytest
 from click.testing import CliRunner
 
+from restitution import neighbours
 from restitution.cli import main
-from restitution.wire import bodies, neighbours, queries
-from restitution.wire.neighbours import MEANT, names_within, neighbour
-from restitution.wire.reading import MOST_NEIGHBOURS
+from restitution.neighbours import MEANT, neighbour
+from restitution.wire import bodies, queries
+from restitution.wire.reading import MOST_NEIGHBOURS, names_within
+from steel import PAIR as BODY
+from steel import SPHERE
 
 COLLISION = {"kappa": 18, "mu_over_alpha": 1.4, "gt_over_gn": 0.4}
-SPHERE = {"radius_m": 0.02, "density_kg_m3": 7850, "youngs_modulus_pa": 2.1e11,
-          "poisson_ratio": 0.3}  # fmt: skip
-BODY = {
-    "body_1": SPHERE,
-    "body_2": SPHERE,
-    "friction_coefficient": 0.4,
-    "tangential_stiffness_n_per_m": "mindlin",
-    "impact": {"normal_velocity_m_s": 20, "tangential_velocity_m_s": 5},
-}
 SAID = [
     (queries.CollisionQuery, "e_n cor restitution epsilon_n", "normal_restitution"),
     (queries.CollisionQuery, "eta damp_ing dampping", "damping"),
@@ -29,6 +23,7 @@ SAID = [
     (queries.CollisionQuery, "gt psi gt_over_g", "gt_over_gn"),
     (queries.CollisionQuery, "tol", "tolerance"),
     (queries.CollisionQuery, "solver", "method"),
+    (queries.CollisionQuery, "sep delimiter", "separator"),
     (queries.CutQuery, "n", "steps"),
     (queries.MapQuery, "kappa_minimum", "kappa_min"),
     (bodies.ScalingBody, "e_n cor", "normal_restitution"),

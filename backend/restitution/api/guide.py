@@ -1,5 +1,6 @@
 """The guide at /guide: the site that `make docs` makes of docs/, or a page that says so."""
 
+import functools
 import os
 from collections.abc import Sequence
 from pathlib import Path
@@ -88,8 +89,8 @@ class _Guide(StaticFiles):
     ) -> Response:
         """Return a file under a policy that allows what the generator put into it."""
         response = super().file_response(full_path, stat_result, scope, status_code)
-        html = Path(full_path).read_bytes() if str(full_path).endswith(".html") else b""
-        response.headers["Content-Security-Policy"] = policy(html, ALLOWED)
+        rules = _policy_of(str(full_path), stat_result.st_mtime_ns)
+        response.headers["Content-Security-Policy"] = rules
         response.headers["Cache-Control"] = "no-cache"
         return response
 
@@ -97,3 +98,10 @@ class _Guide(StaticFiles):
         """Return whether a client has a file already, compressed or not."""
         known = request_headers.get("if-none-match", "")
         return known_tag(response_headers["etag"], known) is not None
+
+
+@functools.lru_cache(maxsize=256)
+def _policy_of(path: str, _changed_at: int) -> str:
+    """Return the policy of a file, for which it is read once while it is the same."""
+    html = Path(path).read_bytes() if path.endswith(".html") else b""
+    return policy(html, ALLOWED)

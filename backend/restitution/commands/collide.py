@@ -7,20 +7,20 @@ from typing import Any, BinaryIO, TypeVar
 
 import click
 
-from restitution.commands.terminal import say_json
+from restitution.commands.terminal import Command, say_json
 from restitution.studies.spheres.collision import ScalingStudy, study_scaling
 from restitution.wire.bodies import ScalingBody
 from restitution.wire.formats import in_one_piece
-from restitution.wire.impact_options import OPTIONS, told_body
-from restitution.wire.neighbours import neighbour
+from restitution.wire.impact_options import OPTIONS, by_option, told_body
 from restitution.wire.parsing import in_utf8, parse_nested
 from restitution.wire.reading import read_object
+from restitution.wire.refusals import RefusedParametersError
 from restitution.wire.results import scaling_result
 
-Command = TypeVar("Command", bound=Callable[..., Any])
+Function = TypeVar("Function", bound=Callable[..., Any])
 
 
-def _with_options(command: Command) -> Command:
+def _with_options(command: Function) -> Function:
     """Add the options that a body of the service has."""
     for option in reversed(OPTIONS):
         member = ".".join(option.path)
@@ -34,23 +34,15 @@ def _with_options(command: Command) -> Command:
     return command
 
 
-class _Command(click.Command):
-    """Names the option that a wrong one was perhaps meant for."""
+class _Collide(Command):
+    """Has options for the members of a body."""
 
-    def parse_args(self, context: click.Context, arguments: list[str]) -> list[str]:
-        """Parse as ever."""
-        try:
-            return super().parse_args(context, arguments)
-        except click.NoSuchOption as wrong:
-            names = {option.path[-1]: option.name for option in reversed(OPTIONS)}
-            if not (meant := neighbour(wrong.option_name.lstrip("-"), names)):
-                raise
-            # of possibilities click names only those that are spelt alike
-            words = f"{wrong.message} Did you mean {names[meant]!r}?"
-            raise click.NoSuchOption(wrong.option_name, words, None, context) from wrong
+    def names(self) -> dict[str, str]:
+        """Return what options are called elsewhere, each with its name here."""
+        return super().names() | {option.path[-1]: option.name for option in reversed(OPTIONS)}
 
 
-@click.command(cls=_Command)
+@click.command(cls=_Collide)
 @click.argument("file", type=click.File("rb"), required=False)
 @_with_options
 @click.option("--wall", is_flag=True, help="The second body is a wall, not a sphere.")
@@ -70,7 +62,12 @@ def collide(file: BinaryIO | None, in_full: bool, wall: bool, **given: Any) -> N
         begun = None if text is None else parse_nested(in_utf8(text))
         text = json.dumps(told_body(begun, given, wall=wall)).encode()
     assert text is not None
-    asked = read_object(ScalingBody, text)
+    try:
+        asked = read_object(ScalingBody, text)
+    except RefusedParametersError as refused:
+        raise RefusedParametersError(
+            by_option(refused.errors, given, alone=file is None)
+        ) from refused
     study = study_scaling(asked, asked.impact)
     if in_full:
         say_json(in_one_piece(scaling_result(study), "json"))

@@ -11,6 +11,7 @@ from typing import Any
 import click
 
 from restitution.errors import RestitutionError
+from restitution.neighbours import neighbour
 from restitution.wire.refusals import MalformedBodyError, RefusedParametersError, sentences
 
 WORDS = {
@@ -109,8 +110,31 @@ def never_fail(stream: Any) -> None:
         stream.reconfigure(encoding=LETTERS if is_ascii else None, errors=IN_WORDS)
 
 
+class Command(click.Command):
+    """Names the option that a wrong one was perhaps meant for."""
+
+    def names(self) -> dict[str, str]:
+        """Return what options are called elsewhere, each with its name here."""
+        options = [name for each in self.params for name in each.opts if name.startswith("--")]
+        return {name.removeprefix("--").replace("-", "_"): name for name in options}
+
+    def parse_args(self, context: click.Context, arguments: list[str]) -> list[str]:
+        """Parse as ever."""
+        try:
+            return super().parse_args(context, arguments)
+        except click.NoSuchOption as wrong:
+            names = self.names()
+            if not (meant := neighbour(wrong.option_name.lstrip("-"), names)):
+                raise
+            # of possibilities click names only those that are spelt alike
+            words = f"{wrong.message} Did you mean {names[meant]!r}?"
+            raise click.NoSuchOption(wrong.option_name, words, None, context) from wrong
+
+
 class Program(click.Group):
     """A group of commands whose output any terminal can show, refusals in a line each."""
+
+    command_class = Command
 
     def main(self, *args: Any, **extra: Any) -> Any:
         """Run the command that is asked for."""

@@ -89,10 +89,10 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     if np.any(expected > affordable):
         most = budget(0, options.damping, options.share)
         raise CostError(
-            f"the exact method would follow about {expected.sum():.3g} switches of {kappa.size:,} "
-            f"collisions here, up to {expected.max():.3g} in one; the limits are {most:,.0f} of "
-            f"both together and {MOST_SWITCHES:,}. Ask for fewer or softer collisions, or for "
-            "method=auto"
+            f"the exact method would follow about {expected.sum():.3g} switches here, up to "
+            f"{expected.max():.3g} in one collision; the limits are {most:,.0f}, one of which each "
+            f"collision takes up besides, and {MOST_SWITCHES:,}. Ask for fewer or softer "
+            "collisions, or for method=auto"
         )
     result = collide(kappa, psi, options.damping, affordable)
     lost = result.switches == TOO_STIFF

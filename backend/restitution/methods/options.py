@@ -22,6 +22,9 @@ NormalRestitution = Annotated[float, Ge(LEAST_RESTITUTION), Le(1), QUANTITIES["n
 Tolerance = Annotated[float, Ge(1e-13), Le(1), Meaning("largest absolute error wanted in ε_t")]
 
 
+WantedError = Annotated[float, Ge(1e-12), Le(1), Meaning("largest error wanted")]
+
+
 @closed
 class Options:
     """What a caller may say about the way to get ε_t.

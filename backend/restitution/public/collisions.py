@@ -1,23 +1,35 @@
 """Scaled collisions: one, many, over time, along a line, over a plane."""
 
 from collections.abc import Collection
+from functools import partial
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from restitution.bounds import annotations
 from restitution.errors import ParameterError
 from restitution.methods.options import Options
-from restitution.studies.collision.axis import Axis
+from restitution.neighbours import naming_neighbours
+from restitution.studies.collision.axis import Axis, an_axis
 from restitution.studies.collision.cut import CutStudy, study_cut
 from restitution.studies.collision.dampings import damping_told, dampings_told
 from restitution.studies.collision.grid import GridStudy, study_grid
 from restitution.studies.collision.many import LISTED, BatchStudy, study_batch
 from restitution.studies.collision.one import QUANTITIES, CollisionStudy, study_collision
-from restitution.studies.collision.parameters import CollisionParameters
+from restitution.studies.collision.parameters import (
+    CollisionParameters,
+    check,
+    common_shape,
+    numbers,
+)
 from restitution.studies.collision.trace import COLUMNS, TraceStudy, study_trace
 
+WAY = annotations(Options)
+"""Of `Options`, as any of these functions may be told them."""
 
+
+@naming_neighbours
 def epsilon_t(
     kappa: npt.ArrayLike,
     mu_over_alpha: npt.ArrayLike,
@@ -61,13 +73,23 @@ def epsilon_t(
     array([0.  , 0.5 , 0.75])
     """
     dampings = dampings_told(damping, normal_restitution)
-    given = np.broadcast_arrays(kappa, mu_over_alpha, gt_over_gn, dampings)
-    found = collisions(
-        *(values.ravel() for values in given), quantities=("epsilon_t",), method="exact"
-    )
-    return np.asarray(found.columns["epsilon_t"].reshape(given[0].shape))
+    given = {
+        name: numbers(name, value, annotation)
+        for (name, annotation), value in zip(
+            annotations(CollisionParameters).items(),
+            (kappa, mu_over_alpha, gt_over_gn, dampings),
+            strict=True,
+        )
+    }
+    # before they are made flat, so that an element is told by its place
+    check(**given)
+    shape = common_shape(given)
+    flat = (np.broadcast_to(values, shape).ravel() for values in given.values())
+    found = collisions(*flat, quantities=("epsilon_t",), method="exact")
+    return np.asarray(found.columns["epsilon_t"].reshape(shape))
 
 
+@partial(naming_neighbours, others=WAY)
 def collision(
     kappa: float,
     mu_over_alpha: float,
@@ -93,7 +115,7 @@ def collision(
         Of epsilon_t, epsilon_n, switches, reversals, episodes, energy, estimates, sensitivity,
         summary; the others are None.
     episode_limit : int, optional
-        Largest number of episodes listed.
+        Largest number of episodes listed, up to 10,000.
     **options
         As of `Options`: method, tolerance, steps, …
 
@@ -120,6 +142,7 @@ def collision(
     return study_collision(parameters, Options(**options), quantities, episode_limit)
 
 
+@partial(naming_neighbours, others=WAY)
 def collisions(
     kappa: npt.ArrayLike,
     mu_over_alpha: npt.ArrayLike,
@@ -168,6 +191,7 @@ def collisions(
     return study_batch(kappa, mu_over_alpha, gt_over_gn, quantities, Options(**options), dampings)
 
 
+@partial(naming_neighbours, others=WAY)
 def trace(
     kappa: float,
     mu_over_alpha: float,
@@ -190,7 +214,7 @@ def trace(
     normal_restitution : float, optional
         ε_n in place of η, 0 < ε_n ≤ 1.
     samples : int, optional
-        Uniform instants from 0 to t_c, at least 2; those of the switches are added.
+        Uniform instants from 0 to t_c, 2 to 20,000; those of the switches are added.
     columns : collection of str, optional
         Of time t in t_scale; compression x in ξ_scale; compression_rate ẋ in g_n; normal_force
         F_n and tangential_force_over_mu F_t/μ in m_eff ξ_scale/t_scale², with the signs of Eqs. 10
@@ -221,6 +245,7 @@ def trace(
     return study_trace(parameters, Options(**options), samples, columns)
 
 
+@partial(naming_neighbours, others=WAY)
 def cut(
     kappa: float | Axis,
     mu_over_alpha: float,
@@ -274,6 +299,7 @@ def cut(
     raise ParameterError("kappa", kappa, "an Axis, or else gt_over_gn, but not both")
 
 
+@partial(naming_neighbours, others=WAY)
 def map(  # noqa: A001 - the name of the call
     kappa: Axis,
     mu_over_alpha: float,
@@ -320,7 +346,8 @@ def map(  # noqa: A001 - the name of the call
     (5, 6)
     """
     way = _way(options, normal_restitution)
-    return study_grid(kappa, gt_over_gn, mu_over_alpha, quantities, way)
+    edges = an_axis("kappa", kappa), an_axis("gt_over_gn", gt_over_gn)
+    return study_grid(*edges, mu_over_alpha, quantities, way)
 
 
 def _way(options: dict[str, Any], normal_restitution: float | None) -> Options:

@@ -1,13 +1,17 @@
 """Beyond collisions: tables for other codes, what methods cost and miss, the paper's statements."""
 
-from typing import TYPE_CHECKING, get_args
+from typing import TYPE_CHECKING, Annotated
 
-from restitution.bounds import choice
+from annotated_types import Gt
+
+from restitution.bounds import allowed
 from restitution.errors import ParameterError
+from restitution.methods.options import Damping, WantedError
+from restitution.neighbours import naming_neighbours
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.accuracy.steps import StepsStudy, study_steps
 from restitution.studies.accuracy.tradeoff import Measurement, stored_measurement
-from restitution.studies.collision.axis import Axis
+from restitution.studies.collision.axis import Axis, an_axis
 from restitution.studies.collision.dampings import damping_told
 from restitution.studies.collision.parameters import CollisionParameters
 from restitution.studies.spheres.walton import WaltonStudy, study_walton
@@ -18,6 +22,7 @@ if TYPE_CHECKING:
     from restitution.paper import Item
 
 
+@naming_neighbours
 def table(
     kappa: Axis,
     psi: Axis,
@@ -64,10 +69,17 @@ def table(
     >>> table(Axis(3, 6, 20), Axis(0.1, 2, 20)).epsilon_t.shape
     (20, 20)
     """
+    if not isinstance(damping, Axis):
+        damping = allowed("damping", damping, Damping)
     told = damping_told(damping, normal_restitution)
-    return study_table_as_wanted(error, kappa, psi, sign, told, seconds=seconds)
+    axes = an_axis("kappa", kappa), an_axis("psi", psi)
+    wanted = allowed("error", error, WantedError | None)
+    way = allowed("sign", sign, Sign)
+    most = allowed("seconds", seconds, Annotated[float, Gt(0)])
+    return study_table_as_wanted(wanted, *axes, way, told, seconds=most)
 
 
+@naming_neighbours
 def steps(
     error: float,
     kappa: float | None = None,
@@ -108,6 +120,8 @@ def steps(
     >>> steps(1e-2, 63, 1.4, 1.358).needed["velocity_verlet"].worst
     32
     """
+    error = allowed("error", error, WantedError)
+    region = allowed("region", region, SceneName | None)
     if kappa is not None and mu_over_alpha is not None and gt_over_gn is not None and not region:
         told = damping_told(damping, normal_restitution)
         return study_steps(error, CollisionParameters(kappa, mu_over_alpha, gt_over_gn, told))
@@ -116,6 +130,7 @@ def steps(
     raise ParameterError("region", region, "given, or else kappa, mu_over_alpha and gt_over_gn")
 
 
+@naming_neighbours
 def walton(beta_0: float) -> WaltonStudy:
     """Return the smallest κ whose undamped collisions have a β₀ of Walton's model.
 
@@ -145,6 +160,7 @@ def walton(beta_0: float) -> WaltonStudy:
     return study_walton(beta_0)
 
 
+@naming_neighbours
 def tradeoff(scene: SceneName = "figure4") -> Measurement:
     """Return what every method costs, in µs per collision, and how far its ε_t is off, as stored.
 
@@ -171,9 +187,7 @@ def tradeoff(scene: SceneName = "figure4") -> Measurement:
     >>> exact.error_max < 1e-9
     True
     """
-    if scene not in get_args(SceneName):
-        raise ParameterError("scene", scene, choice(get_args(SceneName)))
-    return stored_measurement(scene)
+    return stored_measurement(allowed("scene", scene, SceneName))
 
 
 def paper_statements() -> "tuple[Item, ...]":

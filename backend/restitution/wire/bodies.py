@@ -73,7 +73,7 @@ class VelocityRange:
 
     def axis(self, name: str) -> Axis:
         """Return the values."""
-        return Axis(self.min, self.max, self.count, self.scale, f"{name}.", ("min", "max"))
+        return Axis(self.min, self.max, self.count, self.scale, f"{name}.")
 
 
 @closed

@@ -5,14 +5,15 @@ looked at here but when the body is read, so that refusals are those of the serv
 """
 
 import copy
+import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, get_origin
 
 from restitution.bounds import Meaning, annotations, plain, requirement, said
+from restitution.neighbours import stem
 from restitution.studies.spheres.bodies import Moment, Sphere, Wall
 from restitution.studies.spheres.contact import Contact
-from restitution.studies.spheres.impact import TOLD_BY, kind_of_impact
-from restitution.wire.neighbours import stem
+from restitution.studies.spheres.impact import TOLD_BY, Velocities, kind_of_impact
 
 Json = dict[str, Any]
 
@@ -108,6 +109,30 @@ def told_body(base: Json | None, given: Mapping[str, Any], *, wall: bool) -> Jso
     return body
 
 
+def by_option(errors: list[Json], given: Mapping[str, Any], *, alone: bool) -> list[Json]:
+    """Return refusals of a body that `told_body` made by the names of options.
+
+    Of those that are `given`, and of all that could be given where they stand `alone`, without a
+    file: then the second body is refused by what is refused of the first.
+    """
+    told = [each for each in OPTIONS if alone or given.get(each.key) is not None]
+    names = {".".join(option.path): option.name for option in told}
+    within = {option.path[-1]: option.name for option in reversed(told)}
+    found: Json = {}
+    for error in errors:
+        member: str = error["parameter"]
+        if alone and given.get(_key_of(member)) is None:
+            member = member.replace("body_2.", "body_1.")
+        name = names.get(member, member)
+        words = re.sub(r"\w+_\w+", lambda word: within.get(word[0], word[0]), error["requirement"])
+        found.setdefault(name, error | {"parameter": name, "requirement": words})
+    return list(found.values())
+
+
+def _key_of(member: str) -> str:
+    return next((each.key for each in OPTIONS if ".".join(each.path) == member), "")
+
+
 def _put(whole: Json, path: tuple[str, ...], value: Any) -> None:
     *parents, last = path
     for name in parents:
@@ -148,4 +173,5 @@ def _impact(below: Any, told: Json) -> Any:
         return below
     if isinstance(below, dict) and kind_of_impact(below) is kind_of_impact(told):
         return below | told
-    return ({"tangential_velocity_m_s": 0.0} if "normal_velocity_m_s" in told else {}) | told
+    head_on = kind_of_impact(told) is Velocities and "normal_velocity_m_s" in told
+    return ({"tangential_velocity_m_s": 0.0} if head_on else {}) | told

@@ -127,7 +127,7 @@ def _lenient(body: bytes, **hooks: Any) -> object:
     except RecursionError:
         reason = TOO_DEEP
     except ValueError as error:
-        reason = f"the body is not JSON: {error}"
+        reason = f"the body is not JSON: {error}" if body.strip() else "the body is empty"
     raise MalformedBodyError(reason)
 
 

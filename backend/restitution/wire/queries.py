@@ -11,7 +11,7 @@ from annotated_types import Ge, Gt, Le
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
 from restitution.mechanics.contact import MOST_DAMPING
 from restitution.mechanics.scaled_velocity import psi_of
-from restitution.methods.options import Options
+from restitution.methods.options import Options, WantedError
 from restitution.methods.planner import is_quick, switches_to_follow
 from restitution.studies.accuracy.scenes import SceneName
 from restitution.studies.collision import many, one, trace
@@ -89,7 +89,7 @@ class CollisionQuery(ComputedQuery):
     kappa: Kappa
     mu_over_alpha: MuOverAlpha
     gt_over_gn: GtOverGn
-    episode_limit: Annotated[int, Ge(0), Le(10_000)] = 200
+    episode_limit: one.EpisodeLimit = 200
 
     @functools.cached_property
     def parameters(self) -> CollisionParameters:
@@ -113,7 +113,7 @@ class TraceQuery(CollisionQuery):
     """``GET /trace``."""
 
     quantities: Annotated[str, Several(*trace.COLUMNS)] = ",".join(trace.COLUMNS)
-    samples: Annotated[int, Ge(2), Le(20_000)] = 400
+    samples: trace.Samples = 400
 
     def rows(self, switches: float) -> float:
         """Return how many rows are written: episodes, samples with switches, steps of its own."""
@@ -202,7 +202,7 @@ def _edge(query: Any, prefix: str) -> Axis:
     low, high, count, scale = (
         getattr(query, prefix + name) for name in ("min", "max", "count", "scale")
     )
-    return Axis(low, high, count, scale, prefix, ("min", "max"))
+    return Axis(low, high, count, scale, prefix)
 
 
 TangentialEdge = Meaning("gt_over_gn at an edge of the map")
@@ -233,7 +233,6 @@ class MapQuery(KappaEdge, ComputedQuery):
 
 TableFormat = Literal["csv", "npz", "c", "python"]
 
-WantedError = Annotated[float, Ge(1e-12), Le(1), Meaning("largest error wanted")]
 PsiEdge = Meaning("psi at an edge of the map")
 DampingEdge = Meaning("damping at an edge of the map")
 

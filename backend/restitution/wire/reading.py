@@ -22,7 +22,7 @@ from restitution.bounds import (
     said,
 )
 from restitution.errors import ParameterError
-from restitution.wire.neighbours import names_within, neighbour
+from restitution.neighbours import neighbour
 from restitution.wire.parsing import TOO_DEEP, in_utf8, parse_nested
 from restitution.wire.refusals import (
     UNKNOWN,
@@ -142,6 +142,20 @@ def _neighbour(of: Any, name: str) -> str | None:
     names = names_within(of)
     beside = [each for each in names if each.rpartition(".")[0] == place]
     return neighbour(last, beside) or neighbour(last, names)
+
+
+@functools.cache
+def names_within(of: Any) -> tuple[str, ...]:
+    """Return the members of a class, and as dotted names those of the objects in it."""
+    own = annotations(of)
+    inner = [
+        f"{name}.{each}"
+        for name, annotation in own.items()
+        for part in members(annotation)
+        if is_dataclass(plain(part))
+        for each in names_within(plain(part))
+    ]
+    return (*own, *inner)
 
 
 def _located(of: Any, given: Any, path: tuple[int | str, ...], kind: str) -> tuple[str, Any, str]:

@@ -10,13 +10,15 @@ from restitution.bounds import Words
 class Several(Words):
     """A comma-separated choice of words."""
 
+    allowed: tuple[str, ...]
+
     def __init__(self, *allowed: str) -> None:
         super().__init__(f"a comma-separated choice of {', '.join(allowed)}")
-        self.__dict__["allowed"] = allowed
+        object.__setattr__(self, "allowed", allowed)
 
     def __get_pydantic_core_schema__(self, source: Any, handler: Any) -> Any:
         """Let pydantic refuse other words."""
-        allowed = set(self.__dict__["allowed"])
+        allowed = set(self.allowed)
 
         def check(text: str) -> str:
             if not set(text.split(",")) <= allowed:
@@ -27,5 +29,5 @@ class Several(Words):
 
     def __get_pydantic_json_schema__(self, schema: Any, handler: Any) -> Any:
         """Describe the choice as a pattern."""
-        word = f"({'|'.join(self.__dict__['allowed'])})"
+        word = f"({'|'.join(self.allowed)})"
         return handler(schema) | {"pattern": f"^{word}(,{word})*$"}

@@ -1,17 +1,18 @@
 """The values of one parameter along a cut or an edge of a map."""
 
-from dataclasses import dataclass
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from annotated_types import Ge
 
+from restitution.bounds import checked
 from restitution.errors import ParameterError
 from restitution.mechanics.hertz import FloatArray
 
 Scale = Literal["linear", "log"]
 
 
-@dataclass(frozen=True)
+@checked
 class Axis:
     """`count` values from `minimum` to `maximum`, on a ``linear`` or ``log`` scale.
 
@@ -22,13 +23,15 @@ class Axis:
     count : int
         How many.
     scale : ``"linear"`` or ``"log"``
-    prefix, suffixes : str, tuple of str
-        What minimum and maximum are called in messages about them.
+    prefix : str
+        What ``min`` and ``max`` have before them in messages, where minimum and maximum are called
+        so.
 
     Raises
     ------
     ParameterError
-        By `values`, if the range is empty, or reaches 0 where it must not.
+        If one of them is none that there can be; by `values`, if the range is empty, or reaches 0
+        where it must not.
 
     Examples
     --------
@@ -38,10 +41,9 @@ class Axis:
 
     minimum: float
     maximum: float
-    count: int
+    count: Annotated[int, Ge(1)]
     scale: Scale = "linear"
     prefix: str = ""
-    suffixes: tuple[str, str] = ("minimum", "maximum")
 
     def values(self, *, positive: bool) -> FloatArray:
         """Return the values (count,); `positive` where the parameter has to be.
@@ -51,7 +53,7 @@ class Axis:
         ParameterError
             If the range is empty, or reaches 0 where it must not.
         """
-        low, high = (self.prefix + suffix for suffix in self.suffixes)
+        low, high = (self.prefix + end if self.prefix else f"{end}imum" for end in ("min", "max"))
         if not self.minimum < self.maximum:
             raise ParameterError(high, self.maximum, f"greater than {low} = {self.minimum!r}")
         if self.minimum <= 0.0 and (positive or self.scale == "log"):
@@ -62,3 +64,10 @@ class Axis:
             values = space(self.minimum, self.maximum, self.count)
         # steps and logarithms round, at the edge of the double range beyond it
         return np.clip(values, self.minimum, self.maximum)
+
+
+def an_axis(parameter: str, given: object) -> Axis:
+    """Return a parameter that is to be an axis; `ParameterError` if it is none."""
+    if not isinstance(given, Axis):
+        raise ParameterError(parameter, given, "an Axis")
+    return given

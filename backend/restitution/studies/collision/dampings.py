@@ -6,11 +6,12 @@ from typing import Any, TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from restitution.bounds import Misfit, interval, requirement
+from restitution.bounds import Misfit, allowed, interval, requirement
 from restitution.errors import CostError, ParameterError, require
 from restitution.mechanics.contact import damping_of
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.options import UNDAMPED, NormalRestitution
+from restitution.methods.options import UNDAMPED, Damping, NormalRestitution
+from restitution.studies.collision.parameters import numbers
 
 Told = TypeVar("Told")
 
@@ -54,17 +55,18 @@ def damping_told(damping: Told, normal_restitution: float | None) -> Told | floa
     """
     if normal_restitution is None:
         return damping
-    return float(dampings_told(damping, normal_restitution))
+    restitution = allowed("normal_restitution", normal_restitution, NormalRestitution)
+    return float(dampings_told(damping, restitution))
 
 
 def dampings_told(damping: Any, normal_restitution: npt.ArrayLike | None) -> npt.NDArray[Any]:
     """Return the same of arrays of any shape."""
     if normal_restitution is None:
-        return np.asarray(damping)
-    restitutions = np.asarray(normal_restitution, dtype=np.float64)
+        return numbers("damping", damping, Damping)
+    restitutions = numbers("normal_restitution", normal_restitution, NormalRestitution)
     low, high = interval(NormalRestitution)
-    allowed = (restitutions >= low) & (restitutions <= high)
-    require("normal_restitution", restitutions, allowed, requirement(NormalRestitution))
+    fit = (restitutions >= low) & (restitutions <= high)
+    require("normal_restitution", restitutions, fit, requirement(NormalRestitution))
     # 0 is what there is if nothing is given
     given = ("damping", "normal_restitution") if np.any(damping) else ()
     for name, words in told_twice(dict.fromkeys(given)):

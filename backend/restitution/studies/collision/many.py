@@ -7,7 +7,8 @@ from typing import Any, Literal, get_args
 import numpy as np
 import numpy.typing as npt
 
-from restitution.bounds import annotations
+from restitution.bounds import annotations, chosen
+from restitution.errors import ParameterError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.contact import normal_restitution
@@ -18,7 +19,13 @@ from restitution.methods.answer import Answer
 from restitution.methods.exact import follow_affordable, known
 from restitution.methods.options import Options
 from restitution.studies.collision.dampings import by_damping, refuse_more_dampings
-from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, check
+from restitution.studies.collision.parameters import (
+    CONVENTION,
+    CollisionParameters,
+    check,
+    common_shape,
+    numbers,
+)
 from restitution.studies.tabular import Table, Tabular
 
 BatchQuantity = Literal[
@@ -122,22 +129,22 @@ def study_batch(
         If a method asked for by name would cost too much, or for too many different η.
     """
     options = options or Options()
-    kappas, frictions, tangentials, etas = (
-        # copies, for the study keeps them
-        np.array(value, dtype=np.float64)
-        for value in (
-            kappa,
-            mu_over_alpha,
-            gt_over_gn,
-            options.damping if damping is None else damping,
+    quantities = chosen("quantities", quantities, tuple(dict.fromkeys((*QUANTITIES, *LISTED))))
+    each = kappa, mu_over_alpha, gt_over_gn, options.damping if damping is None else damping
+    given = {
+        name: numbers(name, value, annotation)
+        for (name, annotation), value in zip(
+            annotations(CollisionParameters).items(), each, strict=True
         )
-    )
+    }
+    kappas, frictions, tangentials, etas = given.values()
     check(kappas, frictions, tangentials, etas)
-    each = kappas, frictions, tangentials, etas
+    if len(common_shape(given)) > 1:
+        name = max(given, key=lambda each: given[each].ndim)
+        raise ParameterError(name, given[name].shape, "of shape () or (N,)")
     kappas, psis, many = np.broadcast_arrays(
         np.atleast_1d(kappas), scaled_velocity(frictions, tangentials), etas
     )
-    given = dict(zip(annotations(CollisionParameters), each, strict=True))
     # copies, for numba warns of arrays that were broadcast
     kappas, psis = np.array(kappas, order="C"), np.array(psis, order="C")
     if etas.size <= 1:

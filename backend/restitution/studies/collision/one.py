@@ -8,8 +8,9 @@ from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple, cast
 
 import numpy as np
+from annotated_types import Ge, Le
 
-from restitution.bounds import Meaning, OrNothing
+from restitution.bounds import Meaning, OrNothing, allowed, chosen
 from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
@@ -33,6 +34,8 @@ QUANTITIES = (
     "sensitivity",
     "summary",
 )
+
+EpisodeLimit = Annotated[int, Ge(0), Le(10_000)]
 
 FROM_EPISODES = frozenset({"reversals", "episodes", "sensitivity", "summary"})
 
@@ -175,7 +178,8 @@ def study_collision(
     options = options or Options()
     if options.damping != parameters.damping:
         options = replace(options, damping=parameters.damping)
-    wanted = frozenset(quantities)
+    wanted = frozenset(chosen("quantities", quantities, QUANTITIES))
+    episode_limit = allowed("episode_limit", episode_limit, EpisodeLimit)
     psi = parameters.psi
     outcome = _outcome(parameters, wanted, options)
     epsilon_t = outcome.epsilon_t

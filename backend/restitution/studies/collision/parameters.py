@@ -1,12 +1,24 @@
 """The three parameters of a collision, and the two that it depends on."""
 
 import functools
-from typing import Annotated
+import math
+from collections.abc import Mapping
+from typing import Annotated, Any
 
+import numpy as np
+import numpy.typing as npt
 from annotated_types import Ge, Gt
 
-from restitution.bounds import Meaning, Words, annotations, checked, interval, requirement
-from restitution.errors import require
+from restitution.bounds import (
+    Meaning,
+    Words,
+    annotations,
+    as_float,
+    checked,
+    interval,
+    requirement,
+)
+from restitution.errors import ParameterError, element, require
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import psi_of
 from restitution.methods.options import Damping
@@ -38,6 +50,41 @@ class CollisionParameters:
     def psi(self) -> float:
         """ψ = (α/μ)(g_t/g_n)."""
         return psi_of(self.mu_over_alpha, self.gt_over_gn)
+
+
+def numbers(parameter: str, given: npt.ArrayLike, annotation: Any) -> FloatArray:
+    """Return a number, or an array of them, as an array of its own.
+
+    Raises
+    ------
+    ParameterError
+        For the first that is no number; their bounds are not looked at.
+    """
+    words = requirement(annotation)
+    try:
+        array = np.array(given)
+    except ValueError as error:
+        several = "lists of several lengths"
+        raise ParameterError(parameter, several, f"an array of one length, {words}") from error
+    if array.dtype.kind not in "iuf":
+        each = array.ravel().tolist()
+        found = [as_float(value) for value in each]
+        for place in (i for i, value in enumerate(found) if math.isnan(value)):
+            raise ParameterError(element(parameter, array.shape, place), each[place], words)
+        array = np.array(found).reshape(array.shape)
+    return array.astype(np.float64, copy=False)
+
+
+def common_shape(given: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
+    """Return the shape to which parameters are broadcast; `ParameterError` if there is none."""
+    try:
+        return np.broadcast_shapes(*(each.shape for each in given.values()))
+    except ValueError as error:
+        name, shape = next((name, each.shape) for name, each in given.items() if each.ndim)
+        shapes = ", ".join(f"{name} {each.shape}" for name, each in given.items())
+        raise ParameterError(
+            name, shape, f"of a shape that goes with the others: {shapes}"
+        ) from error
 
 
 def check(

@@ -2,10 +2,13 @@
 
 from collections.abc import Collection
 from dataclasses import dataclass
+from typing import Annotated
 
 import numpy as np
 import numpy.typing as npt
+from annotated_types import Ge, Le
 
+from restitution.bounds import allowed, chosen
 from restitution.bounds import values as members
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
@@ -31,6 +34,8 @@ COLUMNS = (
     "regime",
     "tangential_energy",
 )
+
+Samples = Annotated[int, Ge(2), Le(20_000)]
 
 MOST_SWITCHES = 20_000
 """A trace with more switches than this has no picture."""
@@ -103,7 +108,7 @@ def study_trace(
     options : Options, optional
         Method and tolerance of ε_t; the columns are exact, those of ``timestep`` stand beside them.
     samples : int, optional
-        Uniform instants from 0 to t_c, at least 2.
+        Uniform instants from 0 to t_c, 2 to 20,000.
     columns : collection of str, optional
         Of `COLUMNS`; only these are computed.
 
@@ -112,6 +117,8 @@ def study_trace(
     CostError
         If the collision is too stiff or switches more often than `MOST_SWITCHES`.
     """
+    samples = allowed("samples", samples, Samples)
+    asked = chosen("columns", columns, COLUMNS)
     eta = parameters.damping
     one = np.array([parameters.kappa]), np.array([parameters.psi])
     expected = float(expected_switch_counts(*one, eta)[0])
@@ -123,7 +130,7 @@ def study_trace(
     if switch_times.size > MOST_SWITCHES:
         raise _too_many(f"{switch_times.size:,}")
     time = instants(contact_duration(eta), samples, switch_times)
-    wanted = dict.fromkeys(c for c in COLUMNS if c in columns)
+    wanted = dict.fromkeys(c for c in COLUMNS if c in asked)
     compression, rate, cap = normal_curves(time, eta)
     values: dict[str, FloatArray | npt.NDArray[np.int8]] = {
         "time": time,

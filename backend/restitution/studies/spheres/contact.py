@@ -17,7 +17,8 @@ from restitution.mechanics.contact import (
 )
 from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
 from restitution.methods.options import NormalRestitution, Options
-from restitution.studies.collision.axis import Axis
+from restitution.neighbours import naming_neighbours
+from restitution.studies.collision.axis import Axis, an_axis
 from restitution.studies.collision.dampings import told_twice
 from restitution.studies.spheres.bodies import Body, NotNegative, Pair, Positive, pair, two_walls
 from restitution.studies.spheres.impact import made_impact
@@ -129,6 +130,7 @@ class Contact:
 
         return study_scaling(self, made_impact(how), Options(tolerance=tolerance))
 
+    @naming_neighbours
     def map(
         self,
         normal_velocity_m_s: Axis,
@@ -168,7 +170,10 @@ class Contact:
         """
         from restitution.studies.spheres.velocity_map import study_velocity_map  # noqa: PLC0415
 
-        edges = normal_velocity_m_s, tangential_velocity_m_s
+        edges = (
+            an_axis("normal_velocity_m_s", normal_velocity_m_s),
+            an_axis("tangential_velocity_m_s", tangential_velocity_m_s),
+        )
         return study_velocity_map(self, *edges, quantities, Options(tolerance=tolerance))
 
 

@@ -7,8 +7,8 @@ from typing import Annotated, Any, NamedTuple
 import numpy as np
 from annotated_types import Ge, Gt, Lt
 
-from restitution.bounds import Choice, Meaning, Misfit, Words, annotations, checked
-from restitution.errors import ParameterError
+from restitution.bounds import Choice, Meaning, Misfit, Words, annotations, checked, misfits
+from restitution.errors import ParameterError, UnknownParameterError
 from restitution.mechanics.hertz import FloatArray
 from restitution.studies.collision.parameters import SIGN_IS_NOTHING
 from restitution.studies.spheres.bodies import NotNegative, Pair, Positive
@@ -121,8 +121,13 @@ def kind_of_impact(given: Mapping[str, Any]) -> type:
 def made_impact(members: Mapping[str, Any]) -> "Velocities | SpeedAndAngle | Impact":
     """Return the impact that some members tell."""
     kind = kind_of_impact(members)
+    others = {name: value for name, value in members.items() if name not in annotations(kind)}
+    for name, words in misfits(kind, others):
+        raise ParameterError(name, others[name], words)
     try:
         made: Velocities | SpeedAndAngle | Impact = kind(**members)
+    except UnknownParameterError:
+        raise
     except TypeError as error:
         names = ", ".join(annotations(kind))
         raise ParameterError("impact", sorted(members), f"told by {names}") from error
