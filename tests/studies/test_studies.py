@@ -106,7 +106,7 @@ def test_axes_reach_their_ends_exactly():
 
 def test_empty_axes_are_refused():
     with pytest.raises(ParameterError, match="kappa_max must be greater than kappa_min"):
-        Axis(2.0, 1.0, 5, "linear", "kappa_", ("min", "max")).values(positive=True)
+        Axis(2.0, 1.0, 5, "linear", "kappa_").values(positive=True)
     with pytest.raises(ParameterError, match="on a log scale"):
         Axis(0.0, 1.0, 5, "log").values(positive=False)
 
