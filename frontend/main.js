@@ -90,7 +90,10 @@ const collisions = createLatest({
 let arePresetsHere = false;
 
 store.subscribe((state, previous, change) => {
-  notice.clear();
+  // Not under a hand that drags: the pictures below would move.
+  if (!change.dragging) {
+    notice.clear();
+  }
   if (state.lang !== previous.lang && state.lang !== spokenLanguage()) {
     speak(previous.lang);
   }
@@ -100,6 +103,8 @@ store.subscribe((state, previous, change) => {
   }
   if (!connection.isLost()) {
     follow(state, previous, change);
+  } else if (!change.dragging) {
+    banner.remind();
   }
 });
 

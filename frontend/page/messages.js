@@ -1,17 +1,42 @@
 // @ts-check
 
+import { say as words } from "../format/words.js";
+
 /**
- * A line that says something for as long as it is true, and is not there otherwise.
- * @param {HTMLElement} element
+ * A line that says something for as long as it is true, or until it is closed, and is not there otherwise.
+ * @param {HTMLElement} line in a frame of its own, where its button to close it is
  */
-export function mountMessage(element) {
+export function mountMessage(line) {
+  const frame = /** @type {HTMLElement} */ (line.parentElement);
+  const close = document.createElement("button");
+  let truth = "";
+  close.type = "button";
+  close.className = "message-close";
+  close.setAttribute("aria-label", words("messages.close"));
+  close.addEventListener("click", () => show(""));
+  frame.append(close);
+
+  /** @param {string} text */
+  function show(text) {
+    frame.hidden = text === "";
+    if (line.textContent !== text) {
+      line.textContent = text;
+    }
+  }
+
   return {
     /** @param {string} text */
     say(text) {
-      element.textContent = text;
+      truth = text;
+      show(text);
     },
+
+    /** Something has happened: what was closed and is still true is said again. */
+    remind: () => show(truth),
+
     clear() {
-      element.textContent = "";
+      truth = "";
+      show("");
     },
   };
 }
