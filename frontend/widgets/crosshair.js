@@ -61,6 +61,7 @@ export function mountCrosshair(element, axes, onPlace) {
   let isMoving = false;
 
   followDrag(element, {
+    mark: () => (view && present ? axes.place(view, present) : {}),
     onMove(x, y, change) {
       if (view && present) {
         onPlace(axes.at(view, x, y, present), change);

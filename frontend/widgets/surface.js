@@ -1,6 +1,7 @@
 // @ts-check
 
 import { surfaceFigure } from "../figures/surface-figure.js";
+import { dragWhenHeld } from "./drag.js";
 import { createPlot } from "./plot.js";
 
 /** Turned by dragging; the wheel keeps scrolling the page. */
@@ -37,6 +38,7 @@ export function createSurface(stage) {
         element.dataset.testid = "surface";
         element.setAttribute("role", "img");
         element.setAttribute("aria-label", "The map as a surface");
+        dragWhenHeld(element);
         stage.append(element);
         open = { element, plot: createPlot(element, surfaceFigure, { config: TURNABLE }) };
       }

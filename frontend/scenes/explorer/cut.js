@@ -45,6 +45,7 @@ export function mountCut(element, onPlace) {
   let most = 0;
 
   followDrag(mark, {
+    mark: () => (shown && present ? { x: placeOnMap(shown.view, present).y } : {}),
     onMove(x, _, change) {
       if (shown && present) {
         onPlace({ gt_over_gn: gtOverGnAt(shown.view, x, present.mu_over_alpha) }, change);
