@@ -9,7 +9,7 @@ import { mountShell } from "./page/shell.js";
 import { takeTexts } from "./page/texts.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
-import { sameAccuracy } from "./state/accuracy.js";
+import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
 import { createCollisionLoad } from "./state/collision-load.js";
 import { createConnection } from "./state/connection.js";
@@ -53,8 +53,7 @@ const setters = {
   setCollision: (patch, change) =>
     store.set({ collision: { ...store.get().collision, ...patch } }, change),
   /** @type {import("./scenes/scene.js").Page["setAccuracy"]} */
-  setAccuracy: (patch, change) =>
-    store.set({ accuracy: { ...store.get().accuracy, ...patch } }, change),
+  setAccuracy: (patch, change) => store.set(withAccuracy(store.get(), patch), change),
 };
 const shell = mountShell({ present: store.get, onOption: store.set });
 const collision = mountCollision(setters);
@@ -148,7 +147,7 @@ function follow(state, previous, change) {
   if (!previous || !scenes.some((scene) => scene.decides?.(state, previous))) {
     collisions.request({
       collision: state.collision,
-      accuracy: state.accuracy,
+      accuracy: accuracyOf(state),
       change,
       isPictured: SCENES.some(({ id, hasTrace }) => hasTrace && id === state.scene),
     });
@@ -160,7 +159,7 @@ function follow(state, previous, change) {
 function settle(answer, wish) {
   const now = store.get();
   const isPresent =
-    sameCollision(wish.collision, now.collision) && sameAccuracy(wish.accuracy, now.accuracy);
+    sameCollision(wish.collision, now.collision) && sameAccuracy(wish.accuracy, accuracyOf(now));
   collision.settle(answer, wish, isPresent);
   shell.caption(answer.result);
   if (!wish.isPictured) {

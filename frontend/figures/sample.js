@@ -31,3 +31,14 @@ export function placesAmong(list, values) {
     return best;
   });
 }
+
+/**
+ * The value of a sampled curve at a share of its axis, on the straight line between two samples.
+ * @param {ArrayLike<number>} samples
+ * @param {number} share 0 … 1
+ */
+export function valueAt(samples, share) {
+  const place = share * (samples.length - 1);
+  const i = Math.min(samples.length - 2, Math.floor(place));
+  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
+}

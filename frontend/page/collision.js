@@ -1,7 +1,7 @@
 // @ts-check
 
 import { collisionQuery } from "../api/queries.js";
-import { sameAccuracy } from "../state/accuracy.js";
+import { accuracyOf, sameAccuracy } from "../state/accuracy.js";
 import { scaleFor } from "../state/map-view.js";
 import { PARAMETERS } from "../state/parameters.js";
 import { stateAt } from "../state/url.js";
@@ -40,10 +40,11 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
      * @param {import("../state/url.js").PageState | null} previous
      */
     show(state, previous) {
-      if (previous && !sameAccuracy(state.accuracy, previous.accuracy)) {
+      const accuracy = accuracyOf(state);
+      if (previous && !sameAccuracy(accuracy, accuracyOf(previous))) {
         strip.preview(null);
       }
-      accuracyControl.show(state.accuracy);
+      accuracyControl.show(accuracy);
       for (const { key, initial, show } of controls) {
         show(state.collision[key], initial);
       }

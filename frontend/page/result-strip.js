@@ -10,6 +10,7 @@ import {
   significant,
   typable,
 } from "../format/number.js";
+import { placeWithin } from "../state/scales.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 import { write } from "../widgets/write.js";
@@ -43,7 +44,9 @@ export function mountResultStrip(element) {
     write(epsilon, text);
     epsilon.toggleAttribute("data-long", text.includes("×"));
     write(switches, count(result.switches));
-    mark.style.setProperty("--place", String((result.epsilon_t + 1) / 2));
+    const { x, beyond } = placeWithin((result.epsilon_t + 1) / 2, 0);
+    mark.style.setProperty("--place", String(x));
+    mark.dataset.beyond = String(beyond.x);
   }
 
   return {

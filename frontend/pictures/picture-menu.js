@@ -44,7 +44,7 @@ const FILES = [
  * @property {() => import("../format/requests.js").Request} request whose answer it shows
  * @property {() => Record<string, number | string>} parameters that name its files
  * @property {() => import("../figures/tables.js").Table | null} [table] null while there is no picture
- * @property {() => {x: number, y: number} | null} [place] of a crosshair that belongs to the picture
+ * @property {() => import("./save-picture.js").Crosshair | null} [place] of a crosshair that belongs to the picture
  */
 
 /**

@@ -13,9 +13,14 @@ const LEAST_MARGIN = 10;
 const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
 
 /**
+ * A crosshair, as shares from the left and from the top; beyond an axis it has no line.
+ * @typedef {{x: number | null, y: number | null}} Crosshair
+ */
+
+/**
  * Saves what a Plotly element shows, on the page's ground and under a title.
  * @param {HTMLElement} element
- * @param {import("./drawn.js").Saving & {title: string, place?: {x: number, y: number} | null}} options the place is that of the crosshair, as shares from the top left
+ * @param {import("./drawn.js").Saving & {title: string, place?: Crosshair | null}} options
  */
 export async function savePicture(element, { place, title, ...options }) {
   const { data, layout } = /** @type {any} */ (element);
@@ -51,20 +56,23 @@ export async function savePicture(element, { place, title, ...options }) {
         yanchor: "middle",
         font: { size: 13 * theme.unit, color: theme.ink },
       },
-      shapes: [
-        ...(layout.shapes ?? []),
-        ...(place
-          ? [
-              { ...IN_FRAME, x0: place.x, x1: place.x, y0: 0, y1: 1, line },
-              { ...IN_FRAME, x0: 0, x1: 1, y0: 1 - place.y, y1: 1 - place.y, line },
-            ]
-          : []),
-      ],
+      shapes: [...(layout.shapes ?? []), ...crosshairLines(place ?? { x: null, y: null }, line)],
     },
     config: CONFIG,
   };
   const svg = await Plotly.toImage(figure, { format: "svg", width, height, imageDataOnly: true });
   await downloadDrawn(svg, { width, height }, options);
+}
+
+/**
+ * @param {Crosshair} place
+ * @param {Record<string, any>} line
+ */
+function crosshairLines({ x, y }, line) {
+  return [
+    ...(x === null ? [] : [{ ...IN_FRAME, x0: x, x1: x, y0: 0, y1: 1, line }]),
+    ...(y === null ? [] : [{ ...IN_FRAME, x0: 0, x1: 1, y0: 1 - y, y1: 1 - y, line }]),
+  ];
 }
 
 /** @param {Record<string, any>} trace */

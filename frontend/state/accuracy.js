@@ -111,6 +111,28 @@ export function failingOf(accuracy) {
   return ["exact", "auto"].includes(accuracy.method) ? inSteps(accuracy) : accuracy;
 }
 
+/**
+ * How the ε_t of a state is got: of real spheres by the law that is shown over the velocities.
+ * @param {{scene: string, velocity_law: string, accuracy: Accuracy}} state
+ * @returns {Accuracy}
+ */
+export function accuracyOf({ scene, velocity_law: law, accuracy }) {
+  return scene === "spheres" && law === "coulomb" ? { ...accuracy, method: "coulomb" } : accuracy;
+}
+
+/**
+ * What of a state is to change with a method that is chosen: of real spheres, the law that is shown, too.
+ * @param {{scene: string, accuracy: Accuracy}} state
+ * @param {Partial<Accuracy>} patch
+ */
+export function withAccuracy({ scene, accuracy }, patch) {
+  const law = patch.method === "coulomb" ? "coulomb" : "epsilon_t";
+  return {
+    accuracy: { ...accuracy, ...patch },
+    ...(scene === "spheres" && patch.method ? { velocity_law: law } : {}),
+  };
+}
+
 /** The same knobs, for time steps. @param {Accuracy} accuracy @returns {Accuracy} */
 export function inSteps(accuracy) {
   return { ...accuracy, method: "timestep" };

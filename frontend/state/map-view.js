@@ -1,7 +1,15 @@
 // @ts-check
 
-import { significant } from "../format/number.js";
-import { clamp, logScale, powerScale, relabelled, stepAbove } from "./scales.js";
+import { significant, typable } from "../format/number.js";
+import {
+  clamp,
+  isBeyond,
+  logScale,
+  placeWithin,
+  powerScale,
+  relabelled,
+  stepAbove,
+} from "./scales.js";
 
 /**
  * What is to be asked of `/map` and how its axes lie. Over ψ, the map is that of μ/α = 1, whose
@@ -95,7 +103,7 @@ export function sameAxes(asked, wish) {
  * @param {Parameters<typeof mapView>[1]} options
  */
 export function scaleFor(collision, options) {
-  return placeOnMap(mapView(collision, options), collision).outside ? "log" : options.scale;
+  return isBeyond(placeOnMap(mapView(collision, options), collision)) ? "log" : options.scale;
 }
 
 /**
@@ -143,8 +151,7 @@ export function sameView(a, b) {
  */
 export function placeOnMap(view, collision) {
   const x = view.kappa.toShare(collision.kappa);
-  const y = view.gtOverGn.toShare(heightOf(view.vertical, collision));
-  return { x: clamp(x), y: clamp(y), outside: isBeyond(x) || isBeyond(y) };
+  return placeWithin(x, view.gtOverGn.toShare(heightOf(view.vertical, collision)));
 }
 
 /**
@@ -185,6 +192,22 @@ export function heightOf(vertical, { gt_over_gn, mu_over_alpha }) {
 }
 
 /**
+ * What a collision has along each axis of a map, in words.
+ * @param {MapView} view
+ * @param {Collision} collision
+ */
+export function axesInWords({ vertical }, collision) {
+  const { kappa, gt_over_gn: ratio } = collision;
+  return {
+    x: `κ = ${typable(kappa)}`,
+    y:
+      vertical === "psi"
+        ? `ψ = ${significant(heightOf(vertical, collision))}`
+        : `g_t/g_n = ${typable(ratio)}`,
+  };
+}
+
+/**
  * What the rows of a table over a map mean, in words, and where a collision stands among them.
  * @param {MapView} view
  * @param {Collision} collision
@@ -215,12 +238,4 @@ function reaching([min, max], value, reach, both) {
   const high = value > max && value <= max * reach ? stepAbove(value) : max;
   const low = both && value < min && value >= min / reach ? 1 / stepAbove(1 / value) : min;
   return [low, high];
-}
-
-/**
- * Whether a place is beyond the frame by more than the eye sees.
- * @param {number} share
- */
-function isBeyond(share) {
-  return share < -0.01 || share > 1.01;
 }

@@ -72,3 +72,35 @@ export function stepAbove(value) {
 export function clamp(share) {
   return Math.min(1, Math.max(0, share));
 }
+
+/**
+ * A place within a picture, as shares from the left and from the bottom, and for each axis whether what
+ * is there lies beyond an end of it: −1 before the first, 1 after the last.
+ * @typedef {{x: number, y: number, beyond: {x: number, y: number}}} Place
+ */
+
+/**
+ * Where a pair of shares is shown.
+ * @param {number} x
+ * @param {number} y
+ * @returns {Place}
+ */
+export function placeWithin(x, y) {
+  return { x: clamp(x), y: clamp(y), beyond: { x: sideBeyond(x), y: sideBeyond(y) } };
+}
+
+/** @param {Place} place */
+export function isBeyond({ beyond }) {
+  return beyond.x !== 0 || beyond.y !== 0;
+}
+
+/**
+ * Beyond which end a share is, by more than the eye sees.
+ * @param {number} share
+ */
+function sideBeyond(share) {
+  if (share > 1.01) {
+    return 1;
+  }
+  return share < -0.01 ? -1 : 0;
+}

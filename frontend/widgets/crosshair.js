@@ -1,10 +1,10 @@
 // @ts-check
 
 import { MAP_MARGIN } from "../figures/plot-area.js";
-import { typable } from "../format/number.js";
-import { collisionAt, placeOnMap } from "../state/map-view.js";
+import { axesInWords, collisionAt, placeOnMap } from "../state/map-view.js";
 import { followDrag } from "./drag.js";
 import { find } from "./find.js";
+import { createMark } from "./mark.js";
 import { layOver } from "./overlay.js";
 
 /** One press of an arrow key, as a share of the map. */
@@ -22,11 +22,11 @@ const DIRECTIONS = {
  * What the axes of a map mean.
  * @template View, Subject
  * @typedef {object} Axes
- * @property {(view: View, subject: Subject) => {x: number, y: number, outside: boolean}} place of what is present, as shares
+ * @property {(view: View, subject: Subject) => import("../state/scales.js").Place} place of what is present
  * @property {(view: View, x: number, y: number, subject: Subject) => Record<string, number>} at what a place stands for
  * @property {string} horizontal what of that belongs to the horizontal axis
  * @property {string} vertical
- * @property {(subject: Subject) => string} words
+ * @property {(view: View, subject: Subject) => {x: string, y: string}} words for what is present along each axis
  */
 
 /** @type {Axes<import("../state/map-view.js").MapView, import("../state/parameters.js").Collision>} */
@@ -35,7 +35,7 @@ export const MAP_AXES = {
   at: (view, x, y, { mu_over_alpha: mu }) => collisionAt(view, x, y, mu),
   horizontal: "kappa",
   vertical: "gt_over_gn",
-  words: ({ kappa, gt_over_gn: ratio }) => `κ ${typable(kappa)}, g_t/g_n ${typable(ratio)}`,
+  words: axesInWords,
 };
 
 /**
@@ -52,7 +52,7 @@ export function mountCrosshair(element, axes, onPlace) {
   element.tabIndex = 0;
   element.setAttribute("role", "application");
   element.setAttribute("aria-roledescription", "crosshair");
-  const beyond = find(".beyond", element);
+  const mark = createMark(element);
   layOver(element, MAP_MARGIN);
   /** @type {View | null} */
   let view = null;
@@ -97,22 +97,18 @@ export function mountCrosshair(element, axes, onPlace) {
 
   /** In words, but not at every step of a drag. */
   function describe() {
-    if (present) {
-      const words = axes.words(present);
+    if (view && present) {
+      const { x, y } = axes.words(view, present);
       element.setAttribute(
         "aria-label",
-        `${words}. Arrow keys move it, with Shift in large steps.`,
+        `${x}, ${y}. Arrow keys move it, with Shift in large steps.`,
       );
     }
   }
 
   function move() {
     if (view && present) {
-      const { x, y, outside } = axes.place(view, present);
-      element.style.setProperty("--x", String(x));
-      element.style.setProperty("--y", String(1 - y));
-      element.toggleAttribute("data-placed", true);
-      beyond.hidden = !outside;
+      mark.show(axes.place(view, present), axes.words(view, present));
     }
   }
 

@@ -2,6 +2,7 @@
 
 import { restitutionColors, restitutionPlace, switchClasses } from "../figures/color-scales.js";
 import { brief } from "../format/number.js";
+import { placeWithin } from "../state/scales.js";
 import { currentTheme } from "./theme.js";
 
 const TICKS = [-1, -0.5, -0.1, 0, 0.1, 0.5, 1];
@@ -16,7 +17,9 @@ export function createMapLegend(element) {
   let switches = /** @type {number | null} */ (null);
 
   function mark() {
-    element.style.setProperty("--place", String(restitutionPlace(epsilon)));
+    const { x, beyond } = placeWithin(restitutionPlace(epsilon), 0);
+    element.style.setProperty("--place", String(x));
+    element.dataset.beyond = String(beyond.x);
     for (const box of element.querySelectorAll("[data-switches]")) {
       const own = Number(/** @type {HTMLElement} */ (box).dataset.switches);
       const isLast = box === box.parentElement?.lastElementChild;

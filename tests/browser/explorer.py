@@ -97,7 +97,11 @@ def body_of(material: dict, **impact: float) -> dict:
 def accuracy_of(page: Page) -> dict[str, str]:
     """How ε_t is to be got, as the address bar and the API name it; nothing for the usual way."""
     query = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
-    return {name: query[name][0] for name in ACCURACY if name in query}
+    accuracy = {name: query[name][0] for name in ACCURACY if name in query}
+    # over the velocities of real spheres, what is shown is the law's
+    if query.get("scene") == ["spheres"] and query.get("velocity_law") == ["coulomb"]:
+        accuracy["method"] = "coulomb"
+    return accuracy
 
 
 def agrees(page: Page, server: str) -> bool:

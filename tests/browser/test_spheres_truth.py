@@ -42,7 +42,7 @@ IN_UNITS = {
     "kt": ("tangential_stiffness_n_per_m", "N/m"),
 }
 PLAIN = {"κ": "kappa", "μ/α": "mu_over_alpha", "gt/gn": "gt_over_gn", "η": "damping"}
-PLAIN |= {"εn": "epsilon_n", "εt": "epsilon_t", "switches": "switches"}
+PLAIN |= {"εn": "epsilon_n", "εt of the spring": "epsilon_t", "switches": "switches"}
 
 FOUR_DIGITS = 5.1e-4
 

@@ -11,6 +11,12 @@ import { showReason } from "../../widgets/show-reason.js";
 import { currentTheme, onThemeChange } from "../../widgets/theme.js";
 import { ERROR_DECADES, errorMapFigure } from "./error-map-figure.js";
 
+/** The ends of the scale stand for what lies beyond them, too. */
+const SIGNS = new Map([
+  [ERROR_DECADES.low, "≤\u00a0"],
+  [ERROR_DECADES.high, "≥\u00a0"],
+]);
+
 /**
  * Where on the map the chosen method is off.
  * @param {HTMLElement} element
@@ -33,7 +39,7 @@ export function mountErrorMap(element, onPlace) {
     for (let power = low; power <= high; power += 2) {
       const tick = document.createElement("span");
       tick.className = "legend-tick";
-      tick.textContent = power === low ? `≤ ${powerOfTen(power)}` : powerOfTen(power);
+      tick.textContent = `${SIGNS.get(power) ?? ""}${powerOfTen(power)}`;
       tick.style.setProperty("--share", String((power - low) / (high - low)));
       bar.append(tick);
     }

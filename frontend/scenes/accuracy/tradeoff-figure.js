@@ -1,7 +1,7 @@
 // @ts-check
 
 import { baseLayout, plainAxis } from "../../figures/plot-area.js";
-import { powerOfTen } from "../../format/number.js";
+import { powerOfTen, significant } from "../../format/number.js";
 
 /**
  * @typedef {import("../../figures/theme.js").Theme} Theme
@@ -17,6 +17,8 @@ const NARROW = 400;
 /** Below the rounding of a double there is nothing to tell apart. */
 const LEAST_ERROR = 1e-16;
 const MOST_ERROR = 10;
+/** So many powers of ten a line of words takes. */
+const LINE = 2;
 
 /**
  * The series of the plot: which rows belong to them, and how they are drawn.
@@ -77,10 +79,12 @@ export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
   const times = answered.map((row) => Math.log10(row.microseconds_per_collision));
   const [fastest, slowest] = [Math.floor(Math.min(...times)), Math.ceil(Math.max(...times))];
   const [low, high] = [LEAST_ERROR, MOST_ERROR].map(Math.log10);
+  const beyond = extremes(answered, statistic, theme);
   const text = { standoff: 4 * theme.unit, font: { size: 12 * theme.unit } };
   return {
     data: [
       ...drawn.map((series) => line(series, statistic, theme)),
+      beyond,
       ring(answered.filter(chosen), statistic, theme),
     ],
     layout: {
@@ -97,7 +101,7 @@ export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
         title: { text: "µs per collision", ...text },
       },
       yaxis: {
-        ...decades(theme, low, high, 2),
+        ...withRoomFor(beyond, decades(theme, low, high, 2)),
         title: { text: "error of <i>ε</i><sub>t</sub>", ...text },
       },
     },
@@ -136,7 +140,7 @@ function line({ name, rows, color, dash = "solid", symbol }, statistic, theme) {
     marker: {
       size: 8 * theme.unit,
       color: ink,
-      symbol,
+      symbol: rows.map((row) => arrowOf(row[statistic]) ?? symbol),
       line: { width: 1.5 * theme.unit, color: ink },
     },
     cliponaxis: false,
@@ -189,6 +193,53 @@ function describe(name, row) {
 /** @param {number} value */
 function short(value) {
   return String(Number(value.toPrecision(2)));
+}
+
+/**
+ * How an error is marked that lies beyond the axis, at its end.
+ * @param {number} error
+ */
+function arrowOf(error) {
+  if (error > MOST_ERROR) {
+    return "arrow-up";
+  }
+  return error < LEAST_ERROR ? "arrow-down" : null;
+}
+
+/**
+ * The largest and the smallest error beyond the axis, beside their marks; of the others, the table and
+ * the pointer tell.
+ * @param {AnsweredRow[]} rows
+ * @param {Statistic} statistic
+ * @param {Theme} theme
+ */
+function extremes(rows, statistic, theme) {
+  const sorted = [...rows].sort((a, b) => a[statistic] - b[statistic]);
+  const ends = [...sorted.slice(0, 1), ...sorted.slice(-1)];
+  const told = ends.filter((row) => arrowOf(row[statistic]));
+  return {
+    name: "beyond the axis",
+    type: "scatter",
+    mode: "text",
+    x: told.map((row) => Math.log10(row.microseconds_per_collision)),
+    y: told.map((row) => heightOf(row[statistic])),
+    text: told.map((row) => `${significant(row[statistic], 2)} ${row[statistic] > 1 ? "↑" : "↓"}`),
+    textposition: told.map((row) => (row[statistic] > 1 ? "top right" : "bottom right")),
+    textfont: { size: 11 * theme.unit, color: theme.ink },
+    hoverinfo: "skip",
+    cliponaxis: false,
+  };
+}
+
+/**
+ * An axis of errors with a line free for what is written beyond its ends.
+ * @param {{y: number[]}} beyond
+ * @param {ReturnType<typeof decades>} axis
+ */
+function withRoomFor({ y }, axis) {
+  const [low, high] = axis.range;
+  const ends = [Math.min(...y, low + LINE), Math.max(...y, high - LINE)];
+  return { ...axis, range: [ends[0] - LINE, ends[1] + LINE] };
 }
 
 /** @param {number} error */

@@ -1,10 +1,20 @@
 // @ts-check
 
 import { CUT_MARGIN } from "../../figures/plot-area.js";
-import { axesMuOverAlpha, gtOverGnAt, placeOnMap } from "../../state/map-view.js";
+import { valueAt } from "../../figures/sample.js";
+import { significant } from "../../format/number.js";
+import {
+  axesInWords,
+  axesMuOverAlpha,
+  gtOverGnAt,
+  heightOf,
+  placeOnMap,
+} from "../../state/map-view.js";
 import { letterOf } from "../../state/presets.js";
+import { placeWithin } from "../../state/scales.js";
 import { followDrag } from "../../widgets/drag.js";
 import { find } from "../../widgets/find.js";
+import { createMark } from "../../widgets/mark.js";
 import { layOver } from "../../widgets/overlay.js";
 import { createPlot } from "../../widgets/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
@@ -32,6 +42,7 @@ export function mountCut(element, onPlace) {
   const stage = find(".plot-stage", element);
   const mark = find(".cut-mark", element);
   layOver(mark, CUT_MARGIN);
+  const ring = createMark(mark);
   /** @type {[number, number]} */
   let range = [-1, 1];
   /** @type {ShownCut | null} */
@@ -58,11 +69,18 @@ export function mountCut(element, onPlace) {
     if (!shown || !present) {
       return;
     }
-    const { y: share } = placeOnMap(shown.view, present);
     const [low, high] = range;
-    mark.style.setProperty("--x", String(share));
-    mark.style.setProperty("--y", String((high - epsilon) / (high - low)));
-    mark.toggleAttribute("data-placed", true);
+    const words = axesInWords(shown.view, present);
+    ring.show(
+      placeWithin(
+        shown.view.gtOverGn.toShare(heightOf(shown.view.vertical, present)),
+        (epsilon - low) / (high - low),
+      ),
+      {
+        x: `${words.y}: ε_t = ${significant(epsilon)}`,
+        y: `ε_t = ${significant(epsilon)}`,
+      },
+    );
   }
 
   /** @param {boolean} quickly */
@@ -116,9 +134,10 @@ export function mountCut(element, onPlace) {
       present = collision;
       isOnCurve =
         shown?.kappa === collision.kappa &&
-        shown.muOverAlpha === axesMuOverAlpha(shown.view, collision);
+        shown.muOverAlpha === axesMuOverAlpha(shown.view, collision) &&
+        placeOnMap(shown.view, collision).beyond.y === 0;
       if (shown && isOnCurve) {
-        epsilon = heightAt(shown.cut.epsilon_t, placeOnMap(shown.view, collision).y);
+        epsilon = valueAt(shown.cut.epsilon_t, placeOnMap(shown.view, collision).y);
       }
       moveMark();
     },
@@ -134,15 +153,4 @@ export function mountCut(element, onPlace) {
       }
     },
   };
-}
-
-/**
- * On the straight line between two samples.
- * @param {Float64Array} samples
- * @param {number} share
- */
-function heightAt(samples, share) {
-  const place = share * (samples.length - 1);
-  const i = Math.min(samples.length - 2, Math.floor(place));
-  return samples[i] + (place - i) * (samples[i + 1] - samples[i]);
 }

@@ -4,6 +4,7 @@ import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
 import { alphaInWords, typable } from "../../format/number.js";
 import { placeOnMap } from "../../state/map-view.js";
 import { SOLID_ALPHA } from "../../state/parameters.js";
+import { isBeyond } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
@@ -35,7 +36,8 @@ export function mountMap(element, { onPlace, onOption }) {
   function pointSurface() {
     if (shown && settled) {
       const { epsilon_t, switches } = settled;
-      surface.point({ ...placeOnMap(shown.view, settled.parameters), epsilon_t, switches });
+      const place = placeOnMap(shown.view, settled.parameters);
+      surface.point(isBeyond(place) ? null : { ...place, epsilon_t, switches });
     }
   }
 

@@ -242,8 +242,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
           if (!shownMap) {
             return null;
           }
-          const { x, y } = placeOnMap(shownMap.view, present().collision);
-          return { x, y: 1 - y };
+          const { x, y, beyond } = placeOnMap(shownMap.view, present().collision);
+          return { x: beyond.x ? null : x, y: beyond.y ? null : 1 - y };
         },
       },
       cut: {

@@ -72,7 +72,7 @@ function rowsOf(scaling) {
     ["ψ", significant(scaling.psi ?? Infinity)],
     ["η", significant(scaling.damping)],
     ["ε_n", significant(scaling.epsilon_n)],
-    ["ε_t", significant(scaling.epsilon_t)],
+    ["ε_t of the spring", significant(scaling.epsilon_t)],
     ["switches", String(scaling.switches ?? ABSENT)],
   ];
 }

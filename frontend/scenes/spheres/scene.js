@@ -13,16 +13,23 @@ import {
   velocityView,
   workedOut,
 } from "../../state/impact.js";
-import { axesFor, horizontalAxis, placeOnMap, rowsOf, sameAxes } from "../../state/map-view.js";
+import {
+  axesFor,
+  axesInWords,
+  horizontalAxis,
+  placeOnMap,
+  rowsOf,
+  sameAxes,
+} from "../../state/map-view.js";
 import { collisionOfImpact, SOLID_ALPHA } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";
+import { createMark } from "../../widgets/mark.js";
 import { layOver } from "../../widgets/overlay.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
 import { createPlot } from "../../widgets/plot.js";
-import { showReason } from "../../widgets/show-reason.js";
 import { mountImpactControls } from "./impact-controls.js";
 import { createImpactResult } from "./impact-result.js";
-import { sphereCutFigure } from "./sphere-cut-figure.js";
+import { epsilonBy, mountSphereCut } from "./sphere-cut.js";
 import { sphereCutTable, velocityMapTable } from "./tables.js";
 import { mountVelocityMap } from "./velocity-map.js";
 
@@ -34,7 +41,7 @@ import { mountVelocityMap } from "./velocity-map.js";
  * @typedef {import("../../api/answers.js").Scaling} Scaling
  * @typedef {import("../../api/answers.js").VelocityMap} VelocityMap
  * @typedef {ReturnType<typeof velocityView>} VelocityView
- * @typedef {{map: VelocityMap, view: VelocityView}} ShownVelocities
+ * @typedef {import("./sphere-cut.js").ShownVelocities} ShownVelocities
  * @typedef {Record<string, any>} Body of a request
  * @typedef {{body: Body, change: Change, isNew: boolean}} ScalingWish
  * @typedef {{body: Body, subject: unknown, isQuick: boolean, view: VelocityView, change: Change}} VelocityWish
@@ -69,11 +76,11 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     onPlace: changeImpact,
     onOption: set,
   });
-  const cutPlot = createPlot(find(".sphere-cut .plot"), sphereCutFigure);
-  const cutStage = find(".sphere-cut .plot-stage");
+  const sphereCut = mountSphereCut(find(".sphere-cut"));
   const placePlot = createPlot(find(".place .plot"), mapFigure);
-  const placeMark = byTestId("place-mark");
-  layOver(placeMark, MAP_MARGIN);
+  const placeElement = byTestId("place-mark");
+  layOver(placeElement, MAP_MARGIN);
+  const placeMark = createMark(placeElement);
   const result = createImpactResult(find(".impact"));
   const controls = mountImpactControls(find(".impact-controls"), {
     onMaterial: (material) => set({ impact: impactOf(material) }),
@@ -105,14 +112,13 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     onAnswer(answer, { change }) {
       shown.scaling = answer;
       result.show(answer);
-      velocities.settle(answer);
       set(collisionOfImpact(answer), change);
       drawCut(change.dragging);
       announce("impact", change);
     },
     onError: explainBy((reason) => {
       shown.scaling = null;
-      placeMark.removeAttribute("data-placed");
+      placeMark.hide();
       result.refuse(reason);
       onRefused(reason);
     }),
@@ -133,11 +139,11 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     isEnough: isEnoughVelocities,
     onAnswer(map, { view, change }) {
       shown.cut = { map, view };
-      showReason(cutStage, "");
+      sphereCut.showReason("");
       drawCut(change.dragging);
       announce("sphere-cut", change);
     },
-    onError: explainBy(() => showReason(cutStage, "No cut of this one")),
+    onError: explainBy(() => sphereCut.showReason("No cut of this one")),
   });
   const places = createFollower({
     load: client.map,
@@ -168,45 +174,24 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
   /** @param {boolean} dragging */
   function drawCut(dragging) {
     const material = materialOf(materials, present().impact);
-    if (!shown.cut || !material) {
-      return;
-    }
-    const { map, view } = shown.cut;
-    const { tangential } = view;
-    const normal = map.normal_velocity_m_s[0];
     const { scaling } = shown;
-    const subject = {
-      curves: {
-        epsilon_t: map.epsilon_t.map((row) => row[0]),
-        coulomb: map.coulomb.map((row) => row[0]),
-      },
-      tangential,
-      // Measured at another normal velocity, a point stands at the same angle.
-      measured: (material.measured?.points ?? []).map((point) => ({
-        share: tangential.toShare(
-          normal * (point.tangential_velocity_m_s / point.normal_velocity_m_s),
-        ),
-        epsilon_t: point.epsilon_t,
-      })),
-      here:
-        scaling && scaling.epsilon_t !== null
-          ? {
-              share: tangential.toShare(scaling.tangential_velocity_m_s),
-              epsilon_t: scaling.epsilon_t,
-            }
-          : null,
-    };
-    cutPlot.show(subject, dragging);
-    byTestId("measured-key").hidden = !material.measured;
+    const epsilon = scaling && epsilonBy(scaling, shown.cut, present().velocity_law);
+    if (scaling) {
+      velocities.settle(scaling, epsilon);
+    }
+    if (shown.cut && material) {
+      const here =
+        scaling && epsilon !== null ? { velocity: scaling.tangential_velocity_m_s, epsilon } : null;
+      sphereCut.show(shown.cut, material, here, dragging);
+    }
   }
 
   /** Laid over the map, so that moving it draws nothing anew. */
   function markPlace() {
     if (shown.place && shown.scaling) {
-      const { x, y } = placeOnMap(shown.place.view, present().collision);
-      placeMark.style.setProperty("--x", String(x));
-      placeMark.style.setProperty("--y", String(1 - y));
-      placeMark.toggleAttribute("data-placed", true);
+      const { view } = shown.place;
+      const { collision } = present();
+      placeMark.show(placeOnMap(view, collision), axesInWords(view, collision));
     }
   }
 
@@ -244,6 +229,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
       (previous.velocity_law !== state.velocity_law || previous.shape !== state.shape)
     ) {
       drawMap();
+      drawCut(false);
     }
     markPlace();
   }

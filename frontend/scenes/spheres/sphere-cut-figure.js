@@ -3,6 +3,7 @@
 import { axisTitle, baseLayout, CUT_MARGIN, plainAxis } from "../../figures/plot-area.js";
 import { shareAxis } from "../../figures/share-axis.js";
 import { brief } from "../../format/number.js";
+import { say } from "../../format/words.js";
 
 const TICKS = [-1, -0.5, 0, 0.5, 1];
 
@@ -12,7 +13,7 @@ const TICKS = [-1, -0.5, 0, 0.5, 1];
  * @param {{epsilon_t: ArrayLike<number>, coulomb: ArrayLike<number>}} subject.curves
  * @param {import("../../state/scales.js").Scale} subject.tangential
  * @param {{share: number, epsilon_t: number}[]} subject.measured
- * @param {{share: number, epsilon_t: number} | null} subject.here
+ * @param {{share: number, epsilon_t: number, velocity: string} | null} subject.here
  * @param {import("../../figures/theme.js").Theme} theme
  * @param {import("../../figures/plot-area.js").Size} size
  * @returns {import("../../figures/plot-area.js").Figure}
@@ -20,6 +21,7 @@ const TICKS = [-1, -0.5, 0, 0.5, 1];
 export function sphereCutFigure({ curves, tangential, measured, here }, theme, size) {
   const { unit } = theme;
   const within = measured.filter(({ share }) => share <= 1);
+  const isHere = here !== null && here.share <= 1;
   const count = curves.epsilon_t.length;
   const x = Float64Array.from({ length: count }, (_, i) => i / (count - 1));
   const line = (
@@ -57,11 +59,16 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
             }),
           ]
         : []),
-      points("present impact", here ? [here] : [], {
-        size: 13 * unit,
-        color: theme.paper,
-        line: { width: 2.5 * unit, color: theme.ink },
-      }),
+      // At an axis, too, it is a whole ring.
+      {
+        ...points("present impact", isHere ? [here] : [], {
+          size: 13 * unit,
+          color: theme.paper,
+          line: { width: 2.5 * unit, color: theme.ink },
+        }),
+        cliponaxis: false,
+      },
+      ...beyondTheAxis(here, measured.length - within.length, theme),
     ],
     layout: {
       ...baseLayout(theme, size, CUT_MARGIN),
@@ -78,4 +85,36 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
       },
     },
   };
+}
+
+/**
+ * What lies beyond the axis, in words at its end: the present impact at its height, and how many of the
+ * measured ones.
+ * @param {{share: number, epsilon_t: number, velocity: string} | null} here
+ * @param {number} measured
+ * @param {import("../../figures/theme.js").Theme} theme
+ */
+function beyondTheAxis(here, measured, theme) {
+  const told = [
+    ...(here && here.share > 1 ? [{ height: here.epsilon_t, text: `${here.velocity} →` }] : []),
+    ...(measured > 0
+      ? [{ height: -0.9, text: say("marks.measuredBeyond", { count: measured }) }]
+      : []),
+  ];
+  return told.length === 0
+    ? []
+    : [
+        {
+          name: "beyond the axis",
+          type: "scatter",
+          mode: "markers+text",
+          marker: { size: 1, color: "rgba(0,0,0,0)" },
+          x: told.map(() => 1),
+          y: told.map(({ height }) => height),
+          text: told.map(({ text }) => text),
+          textposition: "middle left",
+          textfont: { size: 11 * theme.unit, color: theme.ink },
+          cliponaxis: false,
+        },
+      ];
 }

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { typable } from "../../format/number.js";
-import { clamp } from "../../state/scales.js";
+import { clamp, isBeyond, placeWithin } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { mountCrosshair } from "../../widgets/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
@@ -22,8 +22,7 @@ import { velocityMapFigure } from "./velocity-map-figure.js";
 /** @type {import("../../widgets/crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */
 const AXES = {
   place(view, { normal, tangential }) {
-    const [x, y] = [view.normal.toShare(normal), view.tangential.toShare(tangential)];
-    return { x: clamp(x), y: clamp(y), outside: x > 1.01 || y > 1.01 || x < -0.01 };
+    return placeWithin(view.normal.toShare(normal), view.tangential.toShare(tangential));
   },
   at: (view, x, y) => ({
     normal_velocity_m_s: Number(view.normal.fromShare(clamp(x)).toPrecision(4)),
@@ -31,7 +30,10 @@ const AXES = {
   }),
   horizontal: "normal_velocity_m_s",
   vertical: "tangential_velocity_m_s",
-  words: ({ normal, tangential }) => `g_n ${typable(normal)} m/s, g_t ${typable(tangential)} m/s`,
+  words: (_, { normal, tangential }) => ({
+    x: `g_n = ${typable(normal)} m/s`,
+    y: `g_t = ${typable(tangential)} m/s`,
+  }),
 };
 
 /**
@@ -51,7 +53,7 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
   onThemeChange(() => legend.draw("epsilon_t", 0));
   /** @type {{map: VelocityMap, view: VelocityView} | null} */
   let shown = null;
-  /** @type {Scaling | null} */
+  /** @type {Omit<Scaling, "epsilon_t"> & {epsilon_t: number | null} | null} */
   let settled = null;
 
   onChoice(element, onOption);
@@ -59,8 +61,9 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
   function pointSurface() {
     if (shown && settled && settled.epsilon_t !== null) {
       const { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential } = settled;
-      const { x, y } = AXES.place(shown.view, { normal, tangential });
-      surface.point({ x, y, epsilon_t: settled.epsilon_t, switches: settled.switches });
+      const place = AXES.place(shown.view, { normal, tangential });
+      const { epsilon_t, switches } = settled;
+      surface.point(isBeyond(place) ? null : { ...place, epsilon_t, switches });
     }
   }
 
@@ -101,11 +104,15 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
     /** Why there is none, the impact itself tells. */
     showReason: () => showReason(stage, "No map of this one"),
 
-    /** What the server says of the present impact. @param {Scaling} scaling */
-    settle(scaling) {
-      settled = scaling;
-      if (scaling.epsilon_t !== null) {
-        legend.point({ epsilon_t: scaling.epsilon_t, switches: scaling.switches });
+    /**
+     * What is known of the present impact.
+     * @param {Scaling} scaling
+     * @param {number | null} epsilon its ε_t by the law that is shown
+     */
+    settle(scaling, epsilon) {
+      settled = { ...scaling, epsilon_t: epsilon };
+      if (epsilon !== null) {
+        legend.point({ epsilon_t: epsilon, switches: scaling.switches });
       }
       pointSurface();
     },

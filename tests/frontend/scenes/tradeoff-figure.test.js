@@ -52,6 +52,10 @@ test("tradeoffFigure places rows by the powers of ten of time and error, within 
   const steps = figure.data.find(({ name }) => name.includes("Verlet"));
   assert.deepEqual(steps.x, [1, 1]);
   assert.deepEqual(steps.y, [-4, 1]);
+  // What is beyond them stands at their end with its value.
+  assert.deepEqual(steps.marker.symbol, ["circle", "arrow-up"]);
+  const beyond = figure.data.find(({ name }) => name === "beyond the axis");
+  assert.deepEqual(beyond.text, ["0 ↓", "1.0\u202f×\u202f10⁹ ↑"]);
   const [low, high] = figure.layout.yaxis.range;
   for (const { y } of figure.data) {
     assert.ok(y.every((height) => height >= low && height <= high));

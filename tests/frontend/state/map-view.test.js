@@ -12,6 +12,7 @@ import {
   sameView,
 } from "../../../frontend/state/map-view.js";
 import { SOLID_ALPHA } from "../../../frontend/state/parameters.js";
+import { isBeyond } from "../../../frontend/state/scales.js";
 import { seeded } from "../random.js";
 
 const AT = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
@@ -42,7 +43,7 @@ test("mapView reaches a collision beyond the usual axes", () => {
   const view = mapView({ ...AT, kappa: 37_204, gt_over_gn: 1e-3 }, LOG);
   assert.equal(view.kappa.max, 50_000);
   assert.equal(view.gtOverGn.min, 1e-3);
-  assert.ok(!placeOnMap(view, { ...AT, kappa: 37_204, gt_over_gn: 1e-3 }).outside);
+  assert.ok(!isBeyond(placeOnMap(view, { ...AT, kappa: 37_204, gt_over_gn: 1e-3 })));
 });
 
 test("scaleFor keeps the scale unless the collision is beyond its axes", () => {
@@ -56,7 +57,11 @@ test("mapView does not stretch without end: there the collision stands at the ed
     const extreme = { ...AT, kappa: 1.7e308, gt_over_gn: 0 };
     const view = mapView(extreme, options);
     assert.ok(sameView(view, mapView(AT, options)));
-    assert.deepEqual(placeOnMap(view, extreme), { x: 1, y: 0, outside: true });
+    assert.deepEqual(placeOnMap(view, extreme), {
+      x: 1,
+      y: 0,
+      beyond: { x: 1, y: options.scale === "log" ? -1 : 0 },
+    });
   }
 });
 
@@ -65,11 +70,11 @@ test("collisionAt keeps a drag beyond the frame within it", () => {
   assert.deepEqual(collisionAt(view, 1.3, -0.2, 1.4), { kappa: 70, gt_over_gn: 0.01 });
 });
 
-test("placeOnMap does not call outside what the eye takes for the edge", () => {
+test("placeOnMap does not call beyond what the eye takes for the edge", () => {
   const linear = placeOnMap(mapView(AT, LINEAR), { ...AT, gt_over_gn: 0 });
-  assert.deepEqual([linear.y, linear.outside], [0, false]);
+  assert.deepEqual([linear.y, linear.beyond.y], [0, 0]);
   const log = placeOnMap(mapView(AT, LOG), { ...AT, gt_over_gn: 0 });
-  assert.deepEqual([log.y, log.outside], [0, true]);
+  assert.deepEqual([log.y, log.beyond.y], [0, -1]);
 });
 
 test("on the ψ axis the map stays while μ/α moves, and the collision moves on it", () => {
@@ -86,8 +91,8 @@ test("on the ψ axis the map stays while μ/α moves, and the collision moves on
 test("without friction the collision stands at the upper end of the ψ axis", () => {
   for (const gt_over_gn of [0, 1]) {
     const smooth = { ...AT, mu_over_alpha: 0, gt_over_gn };
-    const { y, outside } = placeOnMap(mapView(smooth, OVER_PSI), smooth);
-    assert.deepEqual([y, outside], [1, true]);
+    const { y, beyond } = placeOnMap(mapView(smooth, OVER_PSI), smooth);
+    assert.deepEqual([y, beyond.y], [1, 1]);
   }
 });
 
