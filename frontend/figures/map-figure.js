@@ -2,8 +2,10 @@
 
 import { PLOT_SYMBOLS } from "../format/symbols.js";
 import { restitutionStops, switchClasses, switchStops } from "./color-scales.js";
-import { axisTitle, baseLayout, MAP_MARGIN } from "./plot-area.js";
+import { axisTitle, baseLayout, innerSize, MAP_MARGIN } from "./plot-area.js";
+import { regionLabels } from "./region-labels.js";
 import { horizontalName, shareAxis } from "./share-axis.js";
+import { legible } from "./spread.js";
 
 /**
  * A map and how it is to be seen.
@@ -12,7 +14,12 @@ import { horizontalName, shareAxis } from "./share-axis.js";
  * @property {import("../state/map-view.js").MapView} view
  * @property {import("../state/map-view.js").HorizontalAxis} horizontal
  * @property {"epsilon_t" | "switches"} quantity
+ * @property {number} [muOverAlpha] of the collisions on it
+ * @property {import("../state/presets.js").Letter[]} [letters] of Fig. 5, to be shown with the switches
  */
+
+const NUMBER_PIXELS = 18;
+const LETTER_PIXELS = 15;
 
 /**
  * The map of Figs. 3 and 4: ε_t or the number of switches over κ and g_t/g_n or ψ. Its axes are shares of
@@ -22,7 +29,8 @@ import { horizontalName, shareAxis } from "./share-axis.js";
  * @param {import("./plot-area.js").Size} size
  * @returns {import("./plot-area.js").Figure}
  */
-export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
+export function mapFigure(map, theme, size) {
+  const { grid, view, horizontal, quantity } = map;
   return {
     data: [
       {
@@ -38,6 +46,7 @@ export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
         // Counts have no values between them.
         zsmooth: quantity === "epsilon_t" ? "fast" : false,
       },
+      ...(quantity === "switches" ? countsAndLetters(map, theme, size) : []),
     ],
     layout: {
       ...baseLayout(theme, size, MAP_MARGIN),
@@ -51,6 +60,62 @@ export function mapFigure({ grid, view, horizontal, quantity }, theme, size) {
       },
     },
   };
+}
+
+/**
+ * As in Fig. 4: the number of switches in each area that has room for it, and the letters of Fig. 5 where
+ * their collisions lie, those that do not cover one above.
+ * @param {ShownMap} map
+ * @param {import("./theme.js").Theme} theme
+ * @param {import("./plot-area.js").Size} size
+ */
+function countsAndLetters({ grid, view, muOverAlpha = 1, letters = [] }, theme, size) {
+  const inner = innerSize(size, MAP_MARGIN, theme);
+  // They are undamped collisions.
+  const known = view.damping > 0 ? [] : letters;
+  // Beside their place, where the crosshair is when it is at one of them.
+  const aside = (LETTER_PIXELS * theme.unit) / inner.width;
+  const placed = known.map(({ letter, kappa, psi }) => ({
+    letter,
+    x: view.kappa.toShare(kappa) + aside,
+    y: view.gtOverGn.toShare(psi * muOverAlpha),
+  }));
+  const seen = legible(
+    placed.filter(({ x, y }) => x > 0 && x < 1 && y > 0 && y < 1),
+    ({ y }) => y,
+    (LETTER_PIXELS * theme.unit) / inner.height,
+  );
+  const counts = regionLabels(grid.switches, inner, (NUMBER_PIXELS + 6) * theme.unit, seen);
+  const words = {
+    type: "scatter",
+    mode: "markers+text",
+    hoverinfo: "skip",
+    cliponaxis: false,
+  };
+  return [
+    {
+      ...words,
+      name: "numbers of switches",
+      x: counts.map(({ x }) => x),
+      y: counts.map(({ y }) => y),
+      text: counts.map(({ value }) => String(value)),
+      textfont: { size: 11 * theme.unit, color: theme.ink },
+      marker: {
+        size: NUMBER_PIXELS * theme.unit,
+        color: theme.paper,
+        line: { width: 1.25 * theme.unit, color: theme.ink },
+      },
+    },
+    {
+      ...words,
+      name: "letters of Fig. 5",
+      x: seen.map(({ x }) => x),
+      y: seen.map(({ y }) => y),
+      text: seen.map(({ letter }) => letter),
+      textfont: { size: 11 * theme.unit, color: theme.ink },
+      marker: { size: LETTER_PIXELS * theme.unit, color: theme.paper, symbol: "square" },
+    },
+  ];
 }
 
 /**

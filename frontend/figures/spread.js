@@ -30,3 +30,23 @@ export function spreadApart(positions, gap, low, high) {
     .flatMap(({ mean, count }) => Array.from({ length: count }, () => mean))
     .map((place, i) => Math.min(highest, Math.max(low, place)) + i * gap);
 }
+
+/**
+ * Marks without those that would cover one farther along an axis: none is moved from its place.
+ * @template Mark
+ * @param {Mark[]} marks
+ * @param {(mark: Mark) => number} placeOf along the axis
+ * @param {number} gap
+ * @returns {Mark[]} from the far end on
+ */
+export function legible(marks, placeOf, gap) {
+  /** @type {Mark[]} */
+  const kept = [];
+  for (const one of [...marks].sort((a, b) => placeOf(b) - placeOf(a))) {
+    const last = kept.at(-1);
+    if (last === undefined || placeOf(last) - placeOf(one) >= gap) {
+      kept.push(one);
+    }
+  }
+  return kept;
+}

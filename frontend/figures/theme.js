@@ -15,9 +15,11 @@
  * @property {string} sliding
  * @property {string} slidingBack
  * @property {string} sticking
- * @property {string} onRegime text on the three colours before
+ * @property {string} many sliding and sticking by turns, too quickly to be told apart
+ * @property {string} onRegime text on the four colours before
  * @property {string} slidingShade
  * @property {string} slidingBackShade
+ * @property {string} manyShade
  * @property {string} normalForce
  * @property {string} tangentialForce
  * @property {string} velocity
@@ -40,9 +42,11 @@ export const THEME_PROPERTIES = {
   sliding: "--sliding",
   slidingBack: "--sliding-back",
   sticking: "--sticking",
+  many: "--many",
   onRegime: "--on-regime",
   slidingShade: "--sliding-shade",
   slidingBackShade: "--sliding-back-shade",
+  manyShade: "--many-shade",
   normalForce: "--normal-force",
   tangentialForce: "--tangential-force",
   velocity: "--velocity",

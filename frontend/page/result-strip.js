@@ -10,6 +10,7 @@ import {
   significant,
   typable,
 } from "../format/number.js";
+import { say } from "../format/words.js";
 import { placeWithin } from "../state/scales.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
@@ -116,7 +117,7 @@ export function resultTable({ result, sentence }) {
       ["switches", count(result.switches)],
       ["turns", count(result.reversals)],
       ["contact t_c", significant(result.contact_duration, 6)],
-      ["energy lost", percentage(lostShare(result))],
+      [say("energy.lost"), percentage(lostShare(result))],
       ["method", result.method],
     ],
   };

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { logScale, powerScale, stepAbove } from "./scales.js";
+import { linearScale, logScale, powerScale, stepAbove } from "./scales.js";
 
 /**
  * An impact of real spheres: the bodies of a material, and what is set of them by hand; null is what
@@ -293,11 +293,25 @@ export function contactBody(material, impact) {
   };
 }
 
+/** So many times less than the largest is the smallest normal and tangential velocity of a map. */
+const DOWN_TO = { normal: 200, tangential: 1e5 };
+
 /**
- * The axes of the map of velocities, from rest to the next of 1, 2, 5, 10 … above each.
+ * The axes of the map of velocities, to the next of 1, 2, 5, 10 … above both: from rest on, or
+ * logarithmic, which shows the small tangential velocities where ε_t swings.
  * @param {{normal_velocity_m_s: number | null, tangential_velocity_m_s: number | null}} values
+ * @param {"linear" | "log"} scale
  */
-export function velocityView({ normal_velocity_m_s: normal, tangential_velocity_m_s: tangential }) {
+export function velocityView(
+  { normal_velocity_m_s: normal, tangential_velocity_m_s: tangential },
+  scale,
+) {
   const most = stepAbove(1.1 * Math.max(normal ?? 1, tangential ?? 0, 1e-6));
-  return { normal: powerScale(most / 200, most, 1), tangential: powerScale(0, most, 1), most };
+  const make = scale === "log" ? logScale : linearScale;
+  return {
+    normal: make(most / DOWN_TO.normal, most),
+    tangential: make(scale === "log" ? most / DOWN_TO.tangential : 0, most),
+    most,
+    scale,
+  };
 }

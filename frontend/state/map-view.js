@@ -4,9 +4,9 @@ import { significant, typable } from "../format/number.js";
 import {
   clamp,
   isBeyond,
+  linearScale,
   logScale,
   placeWithin,
-  powerScale,
   relabelled,
   stepAbove,
 } from "./scales.js";
@@ -217,14 +217,6 @@ export function rowsOf({ vertical }, collision) {
   return vertical === "psi"
     ? { along: "ψ", here, frame: "at any μ/α" }
     : { along: "g_t/g_n", here, frame: `at μ/α = ${significant(collision.mu_over_alpha)}` };
-}
-
-/**
- * @param {number} min
- * @param {number} max
- */
-function linearScale(min, max) {
-  return powerScale(min, max, 1);
 }
 
 /**

@@ -59,6 +59,14 @@ export function powerScale(min, max, power) {
 }
 
 /**
+ * @param {number} min
+ * @param {number} max
+ */
+export function linearScale(min, max) {
+  return powerScale(min, max, 1);
+}
+
+/**
  * The next of 1, 2, 5, 10 … that is not below a value, for the end of an axis.
  * @param {number} value
  */

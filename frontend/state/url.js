@@ -37,6 +37,7 @@ const PAGE_WORDS = {
   statistic: STATISTICS.map(({ id }) => id),
   wanted_error: WANTED_ERRORS,
   velocity_law: ["epsilon_t", "coulomb"],
+  velocity_scale: ["linear", "log"],
   paper_verdict: VERDICT_CHOICES,
   paper_kind: KIND_CHOICES,
   step: STEPS.map((_, i) => String(i + 1)),
@@ -77,6 +78,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} statistic of the errors there
  * @property {string} wanted_error for which the steps are asked
  * @property {string} velocity_law whose ε_t is shown over the velocities
+ * @property {"linear" | "log"} velocity_scale of the axes of velocities
  * @property {string} paper_verdict of the statements of the paper that are listed
  * @property {string} paper_kind of the same
  * @property {string} step of the lesson, from 1 on

@@ -91,7 +91,7 @@
   });
 
   const ONE_LINE =
-    "button, .scenes a, .segmented span, .figures dt, .figures dd, .epsilon-label, .epsilon-value, .legend li, .gauge-ends span, .parameter-head label, .parameter-ticks span, .chip, .legend-tick, .accuracy-scale, .menu a, .impact-result dd, .material label";
+    "button, .scenes a, .segmented span, .figures > :not(.energy-lost) dt, .figures dd, .epsilon-label, .epsilon-value, .legend li, .gauge-ends span, .parameter-head label, .parameter-ticks span, .chip, .legend-tick, .accuracy-scale, .menu a, .impact-result dd, .material label";
   for (const element of document.querySelectorAll(ONE_LINE)) {
     const style = getComputedStyle(element);
     const { paddingTop, paddingBottom, lineHeight, fontSize } = style;

@@ -160,7 +160,11 @@ def test_figures_are_presets_with_a_caption_and_an_address():
 
 def test_presets_of_steel_are_its_collisions():
     steel = Sphere(0.02, 2.1e11, 0.3, density_kg_m3=7850)
-    for name, speed, sideways in (("figure-1", 100, 100), ("figure-2", 100, 5), ("steel", 1, 0.5)):
+    for name, speed, sideways in (
+        ("figure-1", 100, 100),
+        ("figure-2", 100, 0.05),
+        ("steel", 1, 0.5),
+    ):
         study = study_scaling(Contact(steel, steel, 0.4, 1e12), Velocities(speed, sideways))
         preset = PRESETS[name]
         assert preset.kappa == pytest.approx(study.kappa, rel=2e-5)  # rounded for the eye

@@ -28,7 +28,8 @@ SPHERES = (
 PAGE = (
     *("scene", "step", "embed", "theme", "lang", "notes", "handout"),
     *("map", "scale", "map_x", "map_y", "shape", "energy"),
-    *("region", "statistic", "wanted_error", "velocity_law", "paper_verdict", "paper_kind"),
+    *("region", "statistic", "wanted_error", "velocity_law", "velocity_scale"),
+    *("paper_verdict", "paper_kind"),
 )
 STATE = (*COLLISION, *WAY, *SPHERES, *PAGE)
 """What the address of the page may name, as frontend/state/url.js reads it."""

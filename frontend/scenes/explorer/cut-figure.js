@@ -9,6 +9,7 @@ import {
   plainAxis,
 } from "../../figures/plot-area.js";
 import { shareAxis } from "../../figures/share-axis.js";
+import { legible } from "../../figures/spread.js";
 import { brief } from "../../format/number.js";
 import { PLOT_SYMBOLS } from "../../format/symbols.js";
 
@@ -16,7 +17,7 @@ import { PLOT_SYMBOLS } from "../../format/symbols.js";
  * @typedef {import("../../api/answers.js").Cut} Cut
  * @typedef {import("../../state/map-view.js").MapView} MapView
  * @typedef {import("../../figures/theme.js").Theme} Theme
- * @typedef {{letter: string, kappa: number, psi: number}} Letter a panel of Fig. 5
+ * @typedef {import("../../state/presets.js").Letter} Letter
  */
 
 const TICKS = [-1, -0.5, 0, 0.5, 1];
@@ -44,6 +45,7 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
     letter,
     share: view.gtOverGn.toShare(psi * muOverAlpha),
   }));
+  const onAxis = placed.filter(({ share }) => share >= 0 && share <= 1);
   const gap = (LETTER_PIXELS * theme.unit) / inner.width;
   const height = range[0] + (RIBBON_PIXELS + LETTER_PIXELS / 2 + 2) * theme.unit * perPixel;
   const quiet = { color: theme.inkSoft, width: 1.25 * theme.unit };
@@ -66,7 +68,11 @@ export function cutFigure({ cut, view, kappa, muOverAlpha, letters, most }, them
         { x: shares, y: cut.epsilon_t },
         { color: theme.ink, width: 2 * theme.unit },
       ),
-      letterMarks(legible(placed, gap), height, theme),
+      letterMarks(
+        legible(onAxis, ({ share }) => share, gap),
+        height,
+        theme,
+      ),
     ],
     layout: {
       ...baseLayout(theme, size, CUT_MARGIN),
@@ -168,24 +174,6 @@ function letterMarks(letters, height, theme) {
     marker: { size: LETTER_PIXELS * theme.unit, color: "rgba(0,0,0,0)", line: { width: 0 } },
     cliponaxis: false,
   };
-}
-
-/**
- * The letters on the axis, from the right, without those that would cover one before: none is moved
- * from its place.
- * @param {{letter: string, share: number}[]} letters
- * @param {number} gap
- */
-function legible(letters, gap) {
-  /** @type {typeof letters} */
-  const kept = [];
-  for (const one of [...letters].sort((a, b) => b.share - a.share)) {
-    const last = kept.at(-1);
-    if (one.share >= 0 && one.share <= 1 && (!last || last.share - one.share >= gap)) {
-      kept.push(one);
-    }
-  }
-  return kept;
 }
 
 /**

@@ -10,7 +10,7 @@ import {
   heightOf,
   placeOnMap,
 } from "../../state/map-view.js";
-import { letterOf } from "../../state/presets.js";
+import { lettersOf } from "../../state/presets.js";
 import { placeWithin } from "../../state/scales.js";
 import { followDrag } from "../../widgets/drag.js";
 import { find } from "../../widgets/find.js";
@@ -47,7 +47,7 @@ export function mountCut(element, onPlace) {
   let range = [-1, 1];
   /** @type {ShownCut | null} */
   let shown = null;
-  /** @type {import("./cut-figure.js").Letter[]} */
+  /** @type {import("../../state/presets.js").Letter[]} */
   let letters = [];
   /** @type {Collision | null} */
   let present = null;
@@ -110,11 +110,7 @@ export function mountCut(element, onPlace) {
 
     /** @param {import("../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {
-      letters = presets.flatMap((preset) => {
-        const letter = letterOf(preset);
-        const { kappa, gt_over_gn, mu_over_alpha } = preset;
-        return letter ? [{ letter, kappa, psi: gt_over_gn / mu_over_alpha }] : [];
-      });
+      letters = lettersOf(presets);
       draw(false);
     },
 

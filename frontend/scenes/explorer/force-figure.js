@@ -9,7 +9,9 @@ import {
   TRACE_MARGIN,
 } from "../../figures/plot-area.js";
 import { spreadApart } from "../../figures/spread.js";
-import { regimeRibbon, regimeShades } from "./regimes.js";
+import { powerOfTen } from "../../format/number.js";
+import { say } from "../../format/words.js";
+import { regimePieces, regimeRibbon, regimeShades, SPACE } from "./regimes.js";
 
 const RIBBON_PIXELS = 18;
 const NUMBER_PIXELS = 15;
@@ -24,7 +26,7 @@ const FARTHEST = 2.5;
  * @returns {import("../../figures/plot-area.js").Figure}
  */
 export function forceFigure(trace, theme, size) {
-  const { time, normal_force: normalForce, episodes, contact_duration: duration } = trace;
+  const { time, normal_force: normalForce, contact_duration: duration } = trace;
   const reach = forceReach(normalForce);
   const { unit } = theme;
   const inner = innerSize(size, TRACE_MARGIN, theme);
@@ -39,20 +41,23 @@ export function forceFigure(trace, theme, size) {
     pixelsPerTime,
     theme,
   );
+  const pieces = regimePieces(trace, pixelsPerTime / unit);
+  const factor = enlargement(trace.tangential_force_over_mu);
   const ribbon = { base: reach + unit * perPixel, top: top - unit * perPixel };
   return {
     data: [
-      regimeShades(episodes, { base: -reach, top: reach }, theme),
-      regimeRibbon(episodes, ribbon, numbers.x, pixelsPerTime, theme),
+      regimeShades(pieces, { base: -reach, top: reach }, theme),
+      regimeRibbon(pieces, ribbon, numbers.x, pixelsPerTime, theme),
       envelope(time, normalForce, theme),
       {
         name: "tangential force / mu",
         type: "scatter",
         mode: "lines",
         x: time,
-        y: trace.tangential_force_over_mu,
+        y: enlarged(trace.tangential_force_over_mu, factor),
         line: { width: 2.25 * unit, color: theme.tangentialForce, simplify: false },
       },
+      enlargementNote(factor, reach, duration, theme),
       numbers,
     ],
     layout: {
@@ -65,6 +70,51 @@ export function forceFigure(trace, theme, size) {
         zerolinewidth: 1,
       },
     },
+  };
+}
+
+/** A force of this share of the normal one lies on the axis. */
+const FLAT = 0.03;
+
+/**
+ * The power of ten by which a force is drawn larger than it is, so that one sees what it does.
+ * @param {Float64Array} forces
+ */
+function enlargement(forces) {
+  const largest = forces.reduce((most, force) => Math.max(most, Math.abs(force)), 0);
+  // Nothing is not enlarged, and what no double holds is not, either.
+  return largest > 1e-300 && largest < FLAT ? 10 ** -Math.ceil(Math.log10(largest)) : 1;
+}
+
+/**
+ * @param {Float64Array} forces
+ * @param {number} factor
+ */
+function enlarged(forces, factor) {
+  return factor === 1 ? forces : forces.map((force) => factor * force);
+}
+
+/**
+ * What is written beside a force that is drawn larger.
+ * @param {number} factor
+ * @param {number} reach
+ * @param {number} duration
+ * @param {import("../../figures/theme.js").Theme} theme
+ */
+function enlargementNote(factor, reach, duration, theme) {
+  const text = say("force.enlarged", { factor: powerOfTen(Math.round(Math.log10(factor))) });
+  return {
+    name: "enlargement",
+    type: "scatter",
+    // Text alone has nothing that a drag can move.
+    mode: "markers+text",
+    marker: { size: 1, color: "rgba(0,0,0,0)" },
+    x: [0.02 * duration],
+    y: [-0.85 * reach],
+    // A place that is kept: a drag moves what is there.
+    text: [factor === 1 ? SPACE : text],
+    textposition: "middle right",
+    textfont: { size: 12 * theme.unit, color: theme.tangentialForce },
   };
 }
 

@@ -4,6 +4,7 @@ import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
 import { alphaInWords, typable } from "../../format/number.js";
 import { placeOnMap } from "../../state/map-view.js";
 import { SOLID_ALPHA } from "../../state/parameters.js";
+import { lettersOf } from "../../state/presets.js";
 import { isBeyond } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
@@ -29,6 +30,8 @@ export function mountMap(element, { onPlace, onOption }) {
   const alphaReset = byTestId("alpha-reset", element);
   /** @type {import("../../figures/map-figure.js").ShownMap | null} */
   let shown = null;
+  /** @type {import("../../state/presets.js").Letter[]} */
+  let letters = [];
   let chosen = "";
   /** @type {import("../../api/answers.js").CollisionAnswer | null} */
   let settled = null;
@@ -52,8 +55,22 @@ export function mountMap(element, { onPlace, onOption }) {
   }
   onThemeChange(drawLegend);
 
+  function drawFlat() {
+    if (shown) {
+      plot.show({ ...shown, letters });
+    }
+  }
+
   return {
     legend,
+
+    /** @param {import("../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
+    offer(presets) {
+      letters = lettersOf(presets);
+      if (shown && element.dataset.shape === "flat") {
+        drawFlat();
+      }
+    },
 
     /**
      * @param {import("../../figures/map-figure.js").ShownMap} map
@@ -67,7 +84,7 @@ export function mountMap(element, { onPlace, onOption }) {
         surface.show(map);
       } else {
         surface.close();
-        plot.show(map);
+        drawFlat();
       }
       drawLegend();
       crosshair.lieOn(map.view);

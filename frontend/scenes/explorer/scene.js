@@ -197,7 +197,10 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       }
     },
 
-    offer: cut.offer,
+    offer(presets) {
+      cut.offer(presets);
+      map.offer(presets);
+    },
 
     forget() {
       maps.forget();

@@ -8,7 +8,7 @@ import {
   TRACE_MARGIN,
 } from "../../figures/plot-area.js";
 import { brief, powerOfTen } from "../../format/number.js";
-import { regimeShades } from "./regimes.js";
+import { regimePieces, regimeShades } from "./regimes.js";
 
 /** Nearer to one another, the marks of the turns would hide the curve between them. */
 const TURN_PIXELS = 36;
@@ -32,13 +32,15 @@ export function velocityFigure(trace, theme, size, withEnergy = false) {
   // Where plain digits would not fit beside the axis, it is numbered in a power of ten.
   const power = reach >= 0.01 && reach < 1000 ? 0 : Math.floor(Math.log10(reach));
   const last = time.length - 1;
-  const turns = turnsShown(trace, innerSize(size, TRACE_MARGIN, theme).width / unit);
+  const width = innerSize(size, TRACE_MARGIN, theme).width / unit;
+  const turns = turnsShown(trace, width);
+  const pieces = regimePieces(trace, width / duration);
   // Most collisions come back slowly: half of the axis below zero is enough for them.
   const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
   const range = [bottom - 0.03 * reach, 1.03 * reach];
   return {
     data: [
-      regimeShades(trace.episodes, { base: bottom, top: reach }, theme),
+      regimeShades(pieces, { base: bottom, top: reach }, theme),
       {
         name: "tangential velocity",
         type: "scatter",

@@ -272,7 +272,8 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
   function followVelocities(contact, values, change) {
     const { dragging } = change;
     const { normal_velocity_m_s: normal } = velocitiesOf(values);
-    const view = dragging && shown.velocities ? shown.velocities.view : velocityView(values);
+    const held = dragging && shown.velocities;
+    const view = held ? held.view : velocityView(values, present().velocity_scale);
     const whole = values.dissipative_constant_s === 0 ? FULL : DAMPED;
     const counts = dragging ? QUICK : whole;
     const body = {
@@ -284,10 +285,10 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     maps.follow({
       body: {
         ...body,
-        normal_velocity_m_s: rangeOf(view.normal, counts.normal),
-        tangential_velocity_m_s: rangeOf(view.tangential, counts.tangential),
+        normal_velocity_m_s: rangeOf(view.scale, view.normal, counts.normal),
+        tangential_velocity_m_s: rangeOf(view.scale, view.tangential, counts.tangential),
       },
-      subject: [contact, view.most],
+      subject: [contact, view.most, view.scale],
       ...rest,
     });
     cuts.follow({
@@ -295,9 +296,9 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
         ...body,
         // The least of columns that a map has, side by side.
         normal_velocity_m_s: { min: normal, max: normal * (1 + 1e-9), count: 2, scale: "linear" },
-        tangential_velocity_m_s: rangeOf(view.tangential, counts.cut),
+        tangential_velocity_m_s: rangeOf(view.scale, view.tangential, counts.cut),
       },
-      subject: [contact, view.most, normal],
+      subject: [contact, view.most, view.scale, normal],
       ...rest,
     });
   }
@@ -370,9 +371,10 @@ function isEnoughVelocities(asked, wish) {
 }
 
 /**
- * @param {import("../../state/scales.js").Scale} scale
+ * @param {"linear" | "log"} scale
+ * @param {import("../../state/scales.js").Scale} ends
  * @param {number} count
  */
-function rangeOf({ min, max }, count) {
-  return { min, max, count, scale: "linear" };
+function rangeOf(scale, { min, max }, count) {
+  return { min, max, count, scale };
 }

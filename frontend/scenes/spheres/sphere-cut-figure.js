@@ -12,16 +12,17 @@ const TICKS = [-1, -0.5, 0, 0.5, 1];
  * @param {object} subject
  * @param {{epsilon_t: ArrayLike<number>, coulomb: ArrayLike<number>}} subject.curves
  * @param {import("../../state/scales.js").Scale} subject.tangential
+ * @param {"linear" | "log"} subject.scale
  * @param {{share: number, epsilon_t: number}[]} subject.measured
  * @param {{share: number, epsilon_t: number, velocity: string} | null} subject.here
  * @param {import("../../figures/theme.js").Theme} theme
  * @param {import("../../figures/plot-area.js").Size} size
  * @returns {import("../../figures/plot-area.js").Figure}
  */
-export function sphereCutFigure({ curves, tangential, measured, here }, theme, size) {
+export function sphereCutFigure({ curves, tangential, scale, measured, here }, theme, size) {
   const { unit } = theme;
-  const within = measured.filter(({ share }) => share <= 1);
-  const isHere = here !== null && here.share <= 1;
+  const within = measured.filter(isOnAxis);
+  const isHere = here !== null && isOnAxis(here);
   const count = curves.epsilon_t.length;
   const x = Float64Array.from({ length: count }, (_, i) => i / (count - 1));
   const line = (
@@ -73,7 +74,7 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
     layout: {
       ...baseLayout(theme, size, CUT_MARGIN),
       xaxis: {
-        ...shareAxis(theme, tangential, "linear"),
+        ...shareAxis(theme, tangential, scale),
         title: axisTitle("<i>g</i><sub>t</sub> in m/s", 4, theme, 13),
       },
       yaxis: {
@@ -96,9 +97,9 @@ export function sphereCutFigure({ curves, tangential, measured, here }, theme, s
  */
 function beyondTheAxis(here, measured, theme) {
   const told = [
-    ...(here && here.share > 1 ? [{ height: here.epsilon_t, text: `${here.velocity} →` }] : []),
+    ...(here && !isOnAxis(here) ? [atItsEnd(here)] : []),
     ...(measured > 0
-      ? [{ height: -0.9, text: say("marks.measuredBeyond", { count: measured }) }]
+      ? [{ end: 1, height: -0.9, text: say("marks.measuredBeyond", { count: measured }) }]
       : []),
   ];
   return told.length === 0
@@ -109,12 +110,24 @@ function beyondTheAxis(here, measured, theme) {
           type: "scatter",
           mode: "markers+text",
           marker: { size: 1, color: "rgba(0,0,0,0)" },
-          x: told.map(() => 1),
+          x: told.map(({ end }) => end),
           y: told.map(({ height }) => height),
           text: told.map(({ text }) => text),
-          textposition: "middle left",
+          textposition: told.map(({ end }) => (end === 1 ? "middle left" : "middle right")),
           textfont: { size: 11 * theme.unit, color: theme.ink },
           cliponaxis: false,
         },
       ];
+}
+
+/** @param {{share: number, epsilon_t: number, velocity: string}} here */
+function atItsEnd({ share, epsilon_t, velocity }) {
+  return share > 1
+    ? { end: 1, height: epsilon_t, text: `${velocity} →` }
+    : { end: 0, height: epsilon_t, text: `← ${velocity}` };
+}
+
+/** @param {{share: number}} place */
+function isOnAxis({ share }) {
+  return share >= -0.01 && share <= 1.01;
 }

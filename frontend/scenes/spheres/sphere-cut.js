@@ -30,7 +30,7 @@ export function mountSphereCut(element) {
      * @param {{velocity: number, epsilon: number} | null} here the present impact
      * @param {boolean} dragging
      */
-    show({ map, view: { tangential } }, material, here, dragging) {
+    show({ map, view: { tangential, scale } }, material, here, dragging) {
       const normal = map.normal_velocity_m_s[0];
       const subject = {
         curves: {
@@ -38,6 +38,7 @@ export function mountSphereCut(element) {
           coulomb: map.coulomb.map((row) => row[0]),
         },
         tangential,
+        scale,
         // Measured at another normal velocity, a point stands at the same angle.
         measured: (material.measured?.points ?? []).map((point) => ({
           share: tangential.toShare(

@@ -32,11 +32,11 @@ export function velocityMapFigure({ cells, view }, theme, size) {
     layout: {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
-        ...shareAxis(theme, view.normal, "linear"),
+        ...shareAxis(theme, view.normal, view.scale),
         title: axisTitle("<i>g</i><sub>n</sub> in m/s", 4, theme, 13),
       },
       yaxis: {
-        ...shareAxis(theme, view.tangential, "linear"),
+        ...shareAxis(theme, view.tangential, view.scale),
         title: axisTitle("<i>g</i><sub>t</sub> in m/s", 2, theme, 13),
       },
     },

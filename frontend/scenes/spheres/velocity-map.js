@@ -69,8 +69,8 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
 
   return {
     /** @param {PageState} state */
-    options({ velocity_law, shape }) {
-      choose(element, { velocity_law });
+    options({ velocity_law, velocity_scale, shape }) {
+      choose(element, { velocity_law, velocity_scale });
       chooseShape(element, shape);
     },
 
@@ -125,7 +125,7 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
  * @param {"epsilon_t" | "coulomb"} law
  * @param {VelocityView} view
  */
-function inDepth(map, law, { normal, tangential }) {
+function inDepth(map, law, { normal, tangential, scale }) {
   const cells = map[law];
   return {
     grid: {
@@ -136,7 +136,7 @@ function inDepth(map, law, { normal, tangential }) {
       switches: [],
     },
     view: {
-      scale: /** @type {const} */ ("linear"),
+      scale,
       vertical: /** @type {const} */ ("tangential_velocity"),
       gtOverGn: tangential,
     },

@@ -37,6 +37,19 @@ test("mapFigure shows the grid as it came, its first and last columns on the end
   assert.deepEqual([x0, x0 + 2 * dx, y0, y0 + dy], [0, 1, 0, 1]);
 });
 
+test("mapFigure of the switches has the letters of Fig. 5 where they lie, each readable", () => {
+  const view = viewOf("linear");
+  const horizontal = horizontalAxis(view, "kappa", 2 / 7);
+  const letters = [1, 0.999, 0.5, 9].map((psi, i) => ({ letter: "abcd"[i], kappa: 35, psi }));
+  const shown = { grid: GRID, view, horizontal, letters, muOverAlpha: 1.4 };
+  const texts = (quantity) =>
+    mapFigure({ ...shown, quantity }, THEME, SIZE).data.find(({ name }) => /letters/.test(name));
+  assert.equal(texts("epsilon_t"), undefined);
+  // One lies on another, one beyond the axis.
+  assert.deepEqual(texts("switches").text, ["a", "c"]);
+  assert.ok(Math.abs(texts("switches").y[0] - view.gtOverGn.toShare(1.4)) < 1e-12);
+});
+
 test("mapFigure puts each tick where its value lies", () => {
   for (const scale of ["linear", "log"]) {
     const view = viewOf(scale);

@@ -9,6 +9,7 @@ import { SIZE, THEME } from "../fixtures.js";
 const SUBJECT = {
   curves: { epsilon_t: [1, -0.3, 0.5], coulomb: [0, 0, 0.5] },
   tangential: powerScale(0, 5, 1),
+  scale: "linear",
   measured: [],
   here: { share: 0.5, epsilon_t: -0.3, velocity: "g_t = 2.5 m/s" },
 };

@@ -35,6 +35,57 @@ test("forceFigure gives each episode its width and the colour of its regime", ()
   assert.deepEqual(ribbon.text, ["slides →", "sticks", "← slides"]);
 });
 
+test("forceFigure draws a small force larger, and says so", () => {
+  const [small, usual, none] = [0.0007, 0.5, 0].map((force) =>
+    forceFigure(
+      makeTrace({ tangential_force_over_mu: Float64Array.of(0, -force, force, 0) }),
+      THEME,
+      SIZE,
+    ),
+  );
+  assert.ok(Math.abs(named(small, "tangential force / mu").y[2] - 0.7) < 1e-12);
+  assert.notEqual(named(small, "enlargement").text[0].trim(), "");
+  for (const figure of [usual, none]) {
+    assert.equal(named(figure, "enlargement").text[0].trim(), "");
+  }
+});
+
+/** Slides for a third of the contact, then sticks and slides in turns of a hundredth of a pixel. */
+function makeStiffTrace(changes = {}) {
+  const count = 200;
+  const ends = Array.from({ length: count }, (_, i) => 1 + (i + 1) * 1e-3);
+  const episodes = [
+    { regime: "sliding", start: 0, end: 1, direction: 1 },
+    ...ends.map((end, i) => ({
+      regime: i % 2 ? "sliding" : "sticking",
+      start: end - 1e-3,
+      end,
+      direction: i % 2 ? -1 : 0,
+    })),
+  ];
+  const times = Float64Array.from({ length: 300 }, (_, i) => 1 + i * 1e-3);
+  return makeTrace({ episodes, switch_times: times, ...changes });
+}
+
+test("the band of regimes covers the contact where its list of episodes ends before it", () => {
+  const figure = forceFigure(makeStiffTrace(), THEME, SIZE);
+  const { x, width, marker, text } = named(figure, "ribbon");
+  assert.equal(x.at(-1) + width.at(-1) / 2, 3);
+  assert.deepEqual(marker.color, ["forward solid", "many solid"]);
+  // How many it stands for is said on it.
+  assert.match(text[1], /switches, too brief/);
+});
+
+test("no piece of the band is so narrow that it shimmers, whatever the width of the plot", () => {
+  for (const width of [320, 600, 1600]) {
+    const size = { ...SIZE, width };
+    for (const draw of [forceFigure, velocityFigure]) {
+      const { width: widths } = named(draw(makeStiffTrace(), THEME, size), "regimes");
+      assert.ok(widths.every((time) => (time / 3) * (width - 62) >= 4));
+    }
+  }
+});
+
 test("overlayFigure has room for the force of strong damping, and for that of coarse steps", () => {
   const stepped = (force) => ({
     method_time: Float64Array.of(0, 1.5, 3),

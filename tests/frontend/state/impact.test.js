@@ -92,10 +92,11 @@ test("a wall has the moduli of the sphere where the material has none, and a sph
 });
 
 test("velocityView reaches both velocities by a round number", () => {
-  const { normal, tangential, most } = velocityView({
-    normal_velocity_m_s: 3.4,
-    tangential_velocity_m_s: 0,
-  });
+  const velocities = { normal_velocity_m_s: 3.4, tangential_velocity_m_s: 0 };
+  const { normal, tangential, most } = velocityView(velocities, "linear");
+  const log = velocityView(velocities, "log");
+  assert.equal(log.tangential.max, 5);
+  assert.ok(log.tangential.min > 0 && log.tangential.min < 1e-4);
   assert.equal(most, 5);
   assert.ok(normal.min > 0);
   assert.deepEqual([normal.max, tangential.min, tangential.max], [5, 0, 5]);
