@@ -3,7 +3,7 @@
 import { announceCanvasReading } from "./canvas-reading.js";
 import { noteRest } from "./overlay.js";
 import { quickDraw } from "./quick-draw.js";
-import { currentTheme, onThemeChange } from "./theme.js";
+import { currentTheme, onPrinting, onThemeChange } from "./theme.js";
 
 /** A plot that is looked at; what is laid over it takes the pointer. */
 const STILL = { staticPlot: true };
@@ -66,11 +66,15 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
     return isQuick;
   }
 
-  const observer = new ResizeObserver(([{ contentRect }]) => {
-    size = noteRest(element, contentRect);
+  /** @param {{width: number, height: number}} place */
+  function resize(place) {
+    size = noteRest(element, place);
     draw();
-  });
+  }
+
+  const observer = new ResizeObserver(([{ contentRect }]) => resize(contentRect));
   observer.observe(element);
+  const endPrinting = onPrinting(() => resize(element.getBoundingClientRect()));
   const endThemeChanges = onThemeChange(() => draw());
   plotlyIsHere.then(() => draw());
 
@@ -89,6 +93,7 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
       shown = null;
       observer.disconnect();
       endThemeChanges();
+      endPrinting();
       if ("Plotly" in globalThis) {
         Plotly.purge(element);
       }

@@ -15,12 +15,17 @@ let hasFonts = false;
 let known = null;
 /** @type {Set<() => void>} */
 const listeners = new Set();
+/** @type {Set<() => void>} */
+const printers = new Set();
 
 // Very large windows have larger type.
 addEventListener("resize", () => {
   known = null;
 });
 darkScheme.addEventListener("change", tell);
+// What is drawn for the screen must be drawn anew for paper, at once: the browser does not wait.
+addEventListener("beforeprint", () => layOut(true));
+addEventListener("afterprint", () => layOut(false));
 new MutationObserver(tell).observe(root, { attributeFilter: ["data-theme"] });
 awaitFonts();
 
@@ -56,7 +61,10 @@ function tell() {
 export function currentTheme() {
   if (!known) {
     const style = getComputedStyle(root);
-    const dark = root.dataset.theme ? root.dataset.theme === "dark" : darkScheme.matches;
+    const isChosen = root.dataset.theme !== undefined;
+    const wanted = isChosen ? root.dataset.theme === "dark" : darkScheme.matches;
+    // Paper is white, whatever the page is.
+    const dark = wanted && !root.hasAttribute("data-printing");
     const values = Object.entries(THEME_PROPERTIES).map(([name, property]) => [
       name,
       inScheme(style.getPropertyValue(property).trim(), dark),
@@ -78,6 +86,25 @@ export function currentTheme() {
 function inScheme(value, dark) {
   const both = /^light-dark\(([^,]+),([^,]+)\)$/.exec(value);
   return both ? both[dark ? 2 : 1].trim() : value;
+}
+
+/** @param {boolean} onPaper */
+function layOut(onPaper) {
+  root.toggleAttribute("data-printing", onPaper);
+  tell();
+  for (const listener of printers) {
+    listener();
+  }
+}
+
+/**
+ * Tells when the page is laid out for paper, and when for the screen again.
+ * @param {() => void} listener
+ * @returns {() => void} ends it
+ */
+export function onPrinting(listener) {
+  printers.add(listener);
+  return () => printers.delete(listener);
 }
 
 /**
