@@ -103,6 +103,24 @@ QUANTITIES = {
     ),
     "walton_beta_0": Quantity("-epsilon_t for psi -> 0, -1 smooth spheres, +1 gear wheels", "β_0"),
     "beta_0": Quantity("of Walton's model, -1 smooth spheres, +1 gear wheels", "β_0"),
+    # of a ball that bounces
+    "spin_share": Quantity("share of g_t that spin has, 0 if all of it is travel"),
+    "mass_share": Quantity("m_eff/m of the ball, 1 off a wall, 1/2 off an equal ball"),
+    "centre_change": Quantity(
+        "change of the tangential velocity of the ball's centre, over (1 − ε_t) g_t"
+    ),
+    "spin_change": Quantity("change of Rω of the ball, over (1 − ε_t) g_t"),
+    "normal_velocity": Quantity(
+        "velocity of the ball along the normal, positive away from the other body", unit="g_n"
+    ),
+    "centre_velocity": Quantity("velocity of the ball's centre along g_t", "v_t", "g_n"),
+    "spin_velocity": Quantity(
+        "velocity of the ball's surface by its spin, positive as it rolls along g_t", "Rω", "g_n"
+    ),
+    "angle_deg": Quantity(
+        "angle of the ball's path to the normal, negative where it leads back", unit="°"
+    ),
+    "bounces": Quantity("how often the ball has bounced"),
     # of methods on many collisions
     "tolerance": Quantity("largest absolute error of ε_t wanted"),
     "phase": Quantity("where in a time step the contact begins"),

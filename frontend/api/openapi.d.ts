@@ -164,6 +164,28 @@ export interface paths {
         patch?: never;
         trace?: never;
     };
+    "/api/v1/bounce": {
+        parameters: {
+            query?: never;
+            header?: never;
+            path?: never;
+            cookie?: never;
+        };
+        /**
+         * A ball before and after it bounces
+         * @description Return how a ball comes, leaves, and leaves again when it has fallen back onto the wall.
+         *
+         *         What leaves is linear in ε_t, by factors that depend on the bodies alone.
+         */
+        get: operations["bounce"];
+        put?: never;
+        post?: never;
+        delete?: never;
+        options?: never;
+        head?: never;
+        patch?: never;
+        trace?: never;
+    };
     "/api/v1/walton": {
         parameters: {
             query?: never;
@@ -430,6 +452,146 @@ export interface components {
         };
         /** @enum {string} */
         AnsweringMethod: "exact" | "coulomb" | "pragmatic" | "stiff" | "table" | "timestep" | "ode";
+        /**
+         * BallMotion
+         * @description How a ball moves and turns between collisions, over g_n of the first one.
+         */
+        BallMotion: {
+            /**
+             * Normal Velocity
+             * @description velocity of the ball along the normal, positive away from the other body
+             */
+            normal_velocity: number;
+            /**
+             * Centre Velocity
+             * @description velocity of the ball's centre along g_t
+             */
+            centre_velocity: number;
+            /**
+             * Spin Velocity
+             * @description velocity of the ball's surface by its spin, positive as it rolls along g_t
+             */
+            spin_velocity: number;
+            /**
+             * Angle Deg
+             * @description angle of the ball's path to the normal, negative where it leads back
+             */
+            angle_deg: number;
+        };
+        /**
+         * Bounce
+         * @description One collision of a ball that may bounce more than once.
+         */
+        Bounce: {
+            /**
+             * Kappa
+             * @description κ of Eq. 24, with α in it
+             */
+            kappa: number;
+            /**
+             * Mu Over Alpha
+             * @description μ/α
+             */
+            mu_over_alpha: number;
+            /**
+             * Gt Over Gn
+             * @description g_t/g_n
+             */
+            gt_over_gn: number;
+            /**
+             * Damping
+             * @description η = (3/2) A β^{2/5} g_n^{1/5}
+             */
+            damping: number;
+            /**
+             * Direction
+             * @description of g_t along that of the first collision, 0 if there is none
+             * @enum {integer}
+             */
+            direction: -1 | 0 | 1;
+            /**
+             * Epsilon T
+             * @description ε_t, from -1 to 1 unless `timestep` is unstable with so few steps
+             */
+            epsilon_t: number;
+            /**
+             * Epsilon N
+             * @description coefficient of normal restitution
+             */
+            epsilon_n: number;
+            /**
+             * Error Bound
+             * @description bound on the absolute error of ε_t
+             */
+            error_bound: number;
+        };
+        /**
+         * BounceStudy
+         * @description A ball before and after it bounces.
+         *
+         *     What leaves is linear in ε_t, by two factors of the bodies alone: the velocity of the centre
+         *     along g_t changes by `centre_change` (1 − ε_t) g_t, Rω by `spin_change` (1 − ε_t) g_t.
+         *
+         *     Attributes
+         *     ----------
+         *     alpha, spin_share : float
+         *         α of Eq. 12; the share of g_t that the spin has.
+         *     partner : str
+         *         What it bounces off: ``"wall"``, or ``"sphere"`` as itself.
+         *     mass_share, centre_change, spin_change : float
+         *         m_eff/m of the ball, and the two factors; pure numbers.
+         *     first, second : Bounce
+         *         The collision, and that of a ball that falls back onto the wall; None off a sphere, and
+         *         where its parameters are beyond double precision.
+         *     motions : list of BallMotion
+         *         Before, after the first, after the second collision.
+         */
+        BounceStudy: {
+            /**
+             * Alpha
+             * @description factor of the mass distribution, Eq. 12
+             */
+            alpha: number;
+            /**
+             * Partner
+             * @description what it bounces off; the sphere is as the ball itself
+             * @enum {string}
+             */
+            partner: "wall" | "sphere";
+            /**
+             * Spin Share
+             * @description share of g_t that spin has, 0 if all of it is travel
+             */
+            spin_share: number;
+            /**
+             * Mass Share
+             * @description m_eff/m of the ball, 1 off a wall, 1/2 off an equal ball
+             */
+            mass_share: number;
+            /**
+             * Centre Change
+             * @description change of the tangential velocity of the ball's centre, over (1 − ε_t) g_t
+             */
+            centre_change: number;
+            /**
+             * Spin Change
+             * @description change of Rω of the ball, over (1 − ε_t) g_t
+             */
+            spin_change: number;
+            first: components["schemas"]["Bounce"];
+            /** @description of a ball that falls back onto the wall; null off a sphere, which is gone */
+            second: components["schemas"]["Bounce"] | null;
+            /**
+             * Motions
+             * @description before, after the first, after the second collision
+             */
+            motions: components["schemas"]["BallMotion"][];
+            /**
+             * Convention
+             * @description sign and point of reference of every number
+             */
+            convention: string;
+        };
         /**
          * Caution
          * @description A reason to doubt the result: a word for programs and a sentence for people.
@@ -2944,6 +3106,74 @@ export interface operations {
             408: components["responses"]["TooSlow"];
             413: components["responses"]["TooCostly"];
             415: components["responses"]["NotJson"];
+            422: components["responses"]["WrongParameters"];
+            503: components["responses"]["Busy"];
+        };
+    };
+    bounce: {
+        parameters: {
+            query: {
+                /**
+                 * @description κ of Eq. 24, with α in it: finite and > 0
+                 * @example 4.5
+                 */
+                kappa: number;
+                /**
+                 * @description μ/α: finite and ≥ 0
+                 * @example 1.4
+                 */
+                mu_over_alpha: number;
+                /**
+                 * @description g_t/g_n: finite and ≥ 0: ε_t does not depend on the sign
+                 * @example 1.1
+                 */
+                gt_over_gn: number;
+                /** @description between the cells of csv: one of comma, semicolon, tab */
+                separator?: "comma" | "semicolon" | "tab";
+                /** @description decimal mark of csv: point or comma */
+                decimal?: "point" | "comma";
+                /** @description what csv begins with; before the names, a line of units with # in front: names or units */
+                header?: "names" | "units";
+                /** @description one of json, csv, npz */
+                format?: "json" | "csv" | "npz";
+                /** @description form of arrays in JSON: base64, or plain for lists */
+                encoding?: "plain" | "base64";
+                /** @description η = (3/2) A β^{2/5} g_n^{1/5}: from 0 to 1e+30 */
+                damping?: number;
+                /** @description coefficient of normal restitution, in place of the damping that has it: from 1.5e-50 to 1 */
+                normal_restitution?: number;
+                /** @description factor of the mass distribution, Eq. 12: > 0 and ≤ 1 */
+                alpha?: number;
+                /** @description what it bounces off; the sphere is as the ball itself: wall or sphere */
+                partner?: "wall" | "sphere";
+                /** @description share of g_t that spin has, 0 if all of it is travel: from 0 to 1 */
+                spin_share?: number;
+            };
+            header?: {
+                /** @description ETags of answers at hand, with commas between them, or `*` */
+                "If-None-Match"?: components["parameters"]["IfNoneMatch"];
+            };
+            path?: never;
+            cookie?: never;
+        };
+        requestBody?: never;
+        responses: {
+            /** @description The answer. */
+            200: {
+                headers: {
+                    ETag: components["headers"]["ETag"];
+                    "Cache-Control": components["headers"]["CacheForADay"];
+                    "Server-Timing": components["headers"]["ServerTiming"];
+                    [name: string]: unknown;
+                };
+                content: {
+                    "application/json": components["schemas"]["BounceStudy"];
+                    "text/csv; charset=utf-8": string;
+                    "application/x-npz": unknown;
+                };
+            };
+            304: components["responses"]["Unchanged"];
+            413: components["responses"]["TooCostly"];
             422: components["responses"]["WrongParameters"];
             503: components["responses"]["Busy"];
         };

@@ -32,6 +32,8 @@ NOT_NUMBERS = [
 MEANT = {
     ("floor", "-1"),
     ("floor", "-5e-324"),
+    ("beta_0", "-1"),
+    ("beta_0", "-5e-324"),
     *itertools.product(("kappa_count", "gt_over_gn_count", "psi_count"), ["9" * 400]),
 }
 GETS = [name for name in ALWAYS_ON if OPERATIONS[name][0] == "get"]

@@ -56,6 +56,9 @@ const answers = {
     },
   }),
   walton: await client.GET("/api/v1/walton", { params: { query: { beta_0: 0.4 } } }),
+  bounce: await client.GET("/api/v1/bounce", {
+    params: { query: { kappa: 4.5, mu_over_alpha: 1.4, gt_over_gn: 1.1, partner: "sphere" } },
+  }),
   materials: await client.GET("/api/v1/materials"),
   table: await client.GET("/api/v1/table", {
     params: { query: { kappa_count: 5, psi_count: 4 } },

@@ -23,6 +23,7 @@ from restitution.studies.collision.parameters import (
     Kappa,
     MuOverAlpha,
 )
+from restitution.studies.spheres import bounce
 from restitution.studies.spheres.walton import Beta0
 from restitution.studies.tables.grid import Sign
 from restitution.wire.damped import Damped
@@ -326,6 +327,33 @@ class WaltonQuery(FormQuery):
     """``GET /walton``."""
 
     beta_0: Beta0
+
+
+@closed
+class BounceQuery(Damped, FormQuery):
+    """``GET /bounce``."""
+
+    kappa: Kappa
+    mu_over_alpha: MuOverAlpha
+    gt_over_gn: GtOverGn
+    alpha: bounce.Alpha = bounce.SOLID_ALPHA
+    partner: bounce.Partner = "wall"
+    spin_share: bounce.SpinShare = 0.0
+
+    @property
+    def parameters(self) -> CollisionParameters:
+        """The first collision."""
+        return CollisionParameters(self.kappa, self.mu_over_alpha, self.gt_over_gn, self.eta)
+
+    @property
+    def is_quick(self) -> bool:
+        """Whether both collisions are computed in some milliseconds.
+
+        With damping the second spring is stiffer, and how much so takes work to find.
+        """
+        psis = psi_of(self.mu_over_alpha, self.gt_over_gn), bounce.PSI_OF_MOST_SWITCHES
+        switches = sum(switches_to_follow(self.kappa, psi) for psi in psis)
+        return not self.is_damped and is_quick(switches, Options(), damped=False)
 
 
 @closed

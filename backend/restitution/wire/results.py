@@ -2,12 +2,14 @@
 
 import numpy as np
 
+from restitution.bounds import annotations
 from restitution.export.c_header import c_header
 from restitution.export.layout import SIGNS
 from restitution.export.python_module import python_module
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import BatchStudy
 from restitution.studies.collision.one import CollisionStudy
+from restitution.studies.spheres.bounce import BallMotion, BounceStudy
 from restitution.studies.spheres.collision import ScalingStudy
 from restitution.studies.spheres.impact import After
 from restitution.studies.tables.export import RestitutionTable
@@ -52,6 +54,20 @@ def _row(payload: Payload) -> Payload:
         for i, axis in enumerate("xyz")
     }
     return flattened(row)
+
+
+def bounce_result(study: BounceStudy) -> Result:
+    """Return a ball that bounces: its collisions and factors, and its motions as rows."""
+    payload = vars(study)
+    rows = {
+        "bounces": list(range(len(study.motions))),
+        **{
+            name: [getattr(motion, name) for motion in study.motions]
+            for name in annotations(BallMotion)
+        },
+    }
+    others = {name: value for name, value in payload.items() if name != "motions"}
+    return Result(payload, lambda: rows, lambda: others | rows, convention=study.convention)
 
 
 def table_result(table: RestitutionTable) -> Result:

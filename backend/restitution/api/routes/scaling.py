@@ -8,6 +8,7 @@ import numpy as np
 from restitution.api.calls import Calls
 from restitution.bounds import values
 from restitution.studies.collision.parameters import CONVENTION
+from restitution.studies.spheres.bounce import BounceStudy, study_bounce
 from restitution.studies.spheres.codes import CodesStudy, study_codes
 from restitution.studies.spheres.collision import study_scaling
 from restitution.studies.spheres.contact import Contact
@@ -18,8 +19,8 @@ from restitution.wire import answers
 from restitution.wire.arrays import refuse_more_points
 from restitution.wire.bodies import CodesBody, ScalingBody, VelocityMapBody
 from restitution.wire.formats import Payload, Result
-from restitution.wire.queries import NoQuery, WaltonQuery
-from restitution.wire.results import batch_payload, scaling_result
+from restitution.wire.queries import BounceQuery, NoQuery, WaltonQuery
+from restitution.wire.results import batch_payload, bounce_result, scaling_result
 
 calls = Calls("real spheres")
 
@@ -122,6 +123,29 @@ def codes(body: CodesBody) -> Result:
 
 def _or_nan(value: float | None) -> float:
     return np.nan if value is None else value
+
+
+@calls.computed(
+    "/bounce",
+    BounceQuery,
+    BounceStudy,
+    "A ball before and after it bounces",
+    example={"kappa": 4.5, "mu_over_alpha": 1.4, "gt_over_gn": 1.1},
+    quick=lambda query: query.is_quick,
+)
+def bounce(query: BounceQuery) -> Result:
+    """Return how a ball comes, leaves, and leaves again when it has fallen back onto the wall.
+
+    What leaves is linear in ε_t, by factors that depend on the bodies alone.
+    """
+    return bounce_result(
+        study_bounce(
+            query.parameters,
+            alpha=query.alpha,
+            partner=query.partner,
+            spin_share=query.spin_share,
+        )
+    )
 
 
 @calls.computed(
