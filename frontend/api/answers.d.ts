@@ -52,6 +52,9 @@ export type Cut = { switches: Int32Array | Float64Array } & Record<
   Float64Array
 >;
 
+/** Of `/bounce`. */
+export type Bounces = Schemas["BounceStudy"];
+
 export type Scaling = Schemas["Scaling"];
 export type CodesAnswer = Schemas["CodesStudy"];
 

@@ -3,6 +3,7 @@
 import { decodeArrays } from "./arrays.js";
 import {
   answerQuery,
+  bounceQuery,
   collisionQuery,
   cutQuery,
   errorMapQuery,
@@ -26,6 +27,7 @@ import {
  * @typedef {import("./answers.js").Run} Run
  * @typedef {import("./answers.js").StepsAnswer} StepsAnswer
  * @typedef {import("./answers.js").Preset} Preset
+ * @typedef {import("./answers.js").Bounces} Bounces
  */
 
 /** The server could not be asked, or is too busy: asking again later may help. */
@@ -146,6 +148,16 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
       const query = new URLSearchParams({ ...traceQuery(collision), encoding: "base64" });
       const { body, milliseconds } = await get(`${base}/trace?${query}`, signal);
       return /** @type {Trace} */ ({ ...decodeArrays(body), milliseconds });
+    },
+
+    /**
+     * A ball before and after its collision, and the next one where it falls back.
+     * @param {import("./queries.js").Ball} ball
+     * @param {AbortSignal} [signal]
+     * @returns {Promise<Bounces>}
+     */
+    async bounce(ball, signal) {
+      return (await get(`${base}/bounce?${new URLSearchParams(bounceQuery(ball))}`, signal)).body;
     },
 
     /**

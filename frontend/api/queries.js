@@ -40,6 +40,25 @@ export function traceQuery(collision) {
   };
 }
 
+/**
+ * A ball that bounces: its collision and what that does not tell of it.
+ * @typedef {object} Ball
+ * @property {import("../state/parameters.js").Collision} collision
+ * @property {number} alpha
+ * @property {"wall" | "sphere"} partner
+ * @property {number} spinShare
+ */
+
+/** What `/bounce` is asked. @param {Ball} ball */
+export function bounceQuery({ collision, alpha, partner, spinShare }) {
+  return {
+    ...collisionQuery(collision),
+    alpha: String(alpha),
+    partner,
+    spin_share: String(spinShare),
+  };
+}
+
 /** What `/map` is asked. @param {MapWish} wish */
 export function mapQuery({ muOverAlpha, view, counts }) {
   return {

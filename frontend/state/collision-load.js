@@ -70,3 +70,39 @@ export function createCollisionLoad(server) {
     return { ...exactly, sentence, result: { ...exactly.result, ...answer }, isOffered };
   };
 }
+
+/**
+ * @typedef {import("../api/queries.js").Ball & {times: 1 | 2}} BallWish
+ * @typedef {import("../api/answers.js").Bounces} Bounces
+ */
+
+/**
+ * @typedef {object} LoadedBall
+ * @property {Bounces} answer whose factors hold for every collision of these bodies
+ * @property {import("../api/answers.js").Trace | null} trace of the second collision, where it is wanted
+ * @property {import("./parameters.js").Collision} collision that it is asked for
+ */
+
+/**
+ * How a ball is asked for: what it leaves with, and the next collision with its trace.
+ * @param {Parameters<typeof createCollisionLoad>[0] & {bounce: (ball: BallWish, signal: AbortSignal) => Promise<Bounces>}} server
+ */
+export function createBallLoad(server) {
+  const loadCollision = createCollisionLoad(server);
+
+  /**
+   * @param {BallWish} wish
+   * @param {AbortSignal} signal
+   * @returns {Promise<LoadedBall>}
+   */
+  return async function load(wish, signal) {
+    const answer = await server.bounce(wish, signal);
+    const collision = wish.collision;
+    if (wish.times === 1 || !answer.second) {
+      return { answer, trace: null, collision };
+    }
+    const change = { dragging: false, inputTimeStamp: 0 };
+    const next = { collision: answer.second, accuracy: USUAL_ACCURACY, change, isPictured: true };
+    return { answer, trace: (await loadCollision(next, signal)).trace, collision };
+  };
+}

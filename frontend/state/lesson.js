@@ -1,12 +1,12 @@
 // @ts-check
 
 import { USUAL_ACCURACY } from "./accuracy.js";
-import { sameCollision, SOLID_ALPHA } from "./parameters.js";
+import { BOUNCES, sameCollision, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
 
 /**
  * @typedef {import("./url.js").PageState} PageState
  * @typedef {import("./parameters.js").Collision} Collision
- * @typedef {Pick<PageState, "collision" | "accuracy" | "alpha" | "map" | "scale" | "map_x" | "map_y" | "shape" | "energy">} Setting
+ * @typedef {Pick<PageState, "collision" | "accuracy" | "alpha" | "map" | "scale" | "map_x" | "map_y" | "shape" | "energy" | "bounce" | "spin_share">} Setting
  */
 
 /**
@@ -283,6 +283,8 @@ function setting(collision, view = {}) {
     map_y: "gt_over_gn",
     shape: "flat",
     energy: "hidden",
+    bounce: BOUNCES[0].id,
+    spin_share: SPIN_SHARE.initial,
     ...view,
   };
 }

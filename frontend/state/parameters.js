@@ -16,6 +16,27 @@ import { powerScale, logScale } from "./scales.js";
  * @property {number[]} ticks
  */
 
+/**
+ * The share of g_t that is spin, the rest of which is travel: g_t alone does not tell.
+ * @type {Pick<Parameter, "admits" | "requirement" | "initial"> & {key: "spin_share"}}
+ */
+export const SPIN_SHARE = {
+  key: "spin_share",
+  initial: 0,
+  admits: (value) => value >= 0 && value <= 1,
+  requirement: "a number from 0 to 1",
+};
+
+/**
+ * What the ball bounces off and how often it is followed; the partner is named as the API names it.
+ * @type {{id: "wall" | "wall_twice" | "sphere", partner: "wall" | "sphere", times: 1 | 2}[]}
+ */
+export const BOUNCES = [
+  { id: "wall", partner: "wall", times: 1 },
+  { id: "wall_twice", partner: "wall", times: 2 },
+  { id: "sphere", partner: "sphere", times: 1 },
+];
+
 /** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} Collision */
 
 /** α of homogeneous spheres, Eq. 12. */

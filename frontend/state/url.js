@@ -6,7 +6,7 @@ import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS, SECONDS } from "./impact.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
-import { misfit, PARAMETERS, parseNumber, SOLID_ALPHA } from "./parameters.js";
+import { BOUNCES, misfit, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
@@ -33,6 +33,7 @@ const PAGE_WORDS = {
   scene: SCENES.map(({ id }) => id),
   theme: ["system", "light", "dark"],
   embed: ["none", "result", ...Object.values(PANELS).flat()],
+  bounce: BOUNCES.map(({ id }) => id),
   region: REGIONS.map(({ id }) => id),
   statistic: STATISTICS.map(({ id }) => id),
   wanted_error: WANTED_ERRORS,
@@ -64,7 +65,9 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * What the page shows; it stands in the address bar in full.
  * @typedef {object} PageState
  * @property {import("./parameters.js").Collision} collision
- * @property {number} alpha of the bodies behind it: it labels the axis ακ, no more
+ * @property {number} alpha of the bodies behind it, for the axis ακ and the ball that bounces
+ * @property {string} bounce off what, and how often
+ * @property {number} spin_share of g_t, the rest of which is travel
  * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the axes of map and cut
@@ -124,8 +127,16 @@ export function readAddress(search) {
   const accuracy = readAccuracy(query, problems, usual.accuracy ?? USUAL_ACCURACY);
   const impact = readImpact(query, problems);
   const alpha = readAlpha(query, problems);
+  const spin_share = readNumber(query, SPIN_SHARE, problems) ?? SPIN_SHARE.initial;
   return {
-    state: /** @type {PageState} */ ({ collision, alpha, accuracy, impact, ...words }),
+    state: /** @type {PageState} */ ({
+      collision,
+      alpha,
+      spin_share,
+      accuracy,
+      impact,
+      ...words,
+    }),
     problems,
   };
 }
@@ -151,7 +162,7 @@ function readImpact(query, problems) {
 /**
  * The value of a parameter, null where there is none or a wrong one.
  * @param {URLSearchParams} query
- * @param {Pick<import("./parameters.js").Parameter, "admits" | "requirement"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
+ * @param {Pick<import("./parameters.js").Parameter, "admits" | "requirement"> & {key: string}} parameter
  * @param {string[]} problems to which that of it is added
  */
 function readNumber(query, { key, admits, requirement }, problems) {
@@ -163,7 +174,9 @@ function readNumber(query, { key, admits, requirement }, problems) {
   if (value !== null && admits(value)) {
     return value;
   }
-  problems.push(misread(PLAIN_SYMBOLS[key], requirement, text));
+  /** @type {Record<string, string>} */
+  const symbols = PLAIN_SYMBOLS;
+  problems.push(misread(symbols[key] ?? key, requirement, text));
   return null;
 }
 
@@ -232,7 +245,7 @@ function readWord(query, key, allowed, problems, usual = allowed[0]) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
+export function writeAddress({ collision, alpha, spin_share, accuracy, impact, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     // What is not damped says nothing of damping.
@@ -245,6 +258,9 @@ export function writeAddress({ collision, alpha, accuracy, impact, ...words }) {
   }
   if (alpha !== SOLID_ALPHA) {
     query.set("alpha", String(alpha));
+  }
+  if (spin_share !== SPIN_SHARE.initial) {
+    query.set(SPIN_SHARE.key, String(spin_share));
   }
   const step = settingOf(words.scene, words.step).accuracy ?? USUAL_ACCURACY;
   for (const [name, usual] of Object.entries(USUAL_ACCURACY)) {

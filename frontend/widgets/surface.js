@@ -1,13 +1,12 @@
 // @ts-check
 
-import { surfaceFigure } from "../figures/surface-figure.js";
 import { dragWhenHeld } from "./drag.js";
 import { createPlot } from "./plot.js";
 
 /** Turned by dragging; the wheel keeps scrolling the page. */
 const TURNABLE = { staticPlot: false, scrollZoom: false };
 
-/** @typedef {Parameters<typeof surfaceFigure>[0]} Subject */
+/** @typedef {Parameters<typeof import("../figures/surface-figure.js").surfaceFigure>[0]} Subject */
 
 /**
  * A map as a surface in depth: its element, and the browser's drawing context with it, exist only
@@ -15,7 +14,7 @@ const TURNABLE = { staticPlot: false, scrollZoom: false };
  * @param {HTMLElement} stage
  */
 export function createSurface(stage) {
-  /** @type {{element: HTMLElement, plot: ReturnType<typeof createPlot>} | null} */
+  /** @type {{element: HTMLElement, plot: ReturnType<typeof createPlot> | null} | null} its figure comes when it is first shown */
   let open = null;
   /** @type {Omit<Subject, "place"> | null} */
   let shown = null;
@@ -23,8 +22,17 @@ export function createSurface(stage) {
   let place = null;
 
   function draw() {
-    if (open && shown) {
+    if (open?.plot && shown) {
       open.plot.show({ ...shown, place });
+    }
+  }
+
+  /** @param {{element: HTMLElement, plot: ReturnType<typeof createPlot> | null}} mine */
+  async function fill(mine) {
+    const module = await import("../figures/surface-figure.js").catch(() => null);
+    if (open === mine && module) {
+      mine.plot = createPlot(mine.element, module.surfaceFigure, { config: TURNABLE });
+      draw();
     }
   }
 
@@ -40,7 +48,8 @@ export function createSurface(stage) {
         element.setAttribute("aria-label", "The map as a surface");
         dragWhenHeld(element);
         stage.append(element);
-        open = { element, plot: createPlot(element, surfaceFigure, { config: TURNABLE }) };
+        open = { element, plot: null };
+        fill(open);
       }
       draw();
     },
@@ -52,7 +61,7 @@ export function createSurface(stage) {
     },
 
     close() {
-      open?.plot.destroy();
+      open?.plot?.destroy();
       open?.element.remove();
       open = null;
       shown = null;

@@ -25,7 +25,7 @@
   // Boxes that measure themselves, or lie over the page by their nature.
   const isLaidOver = (element) =>
     element.closest(
-      ".crosshair, .cut-mark, .time-cursor, .place-mark, .reason, .contact-stage svg",
+      ".crosshair, .cut-mark, .time-cursor, .place-mark, .reason, .bounce-stage svg, .bounce-ribbon",
     );
 
   const width = document.documentElement.clientWidth;

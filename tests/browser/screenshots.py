@@ -22,6 +22,8 @@ SCENES = {
     "explorer": "",
     "explorer-figure-5-a": "kappa=63&mu_over_alpha=1.4&gt_over_gn=3.08",
     "explorer-stiff-limit": "kappa=2000&mu_over_alpha=1.4&gt_over_gn=1",
+    "explorer-superball": "kappa=0.953&mu_over_alpha=1000&gt_over_gn=1"
+    "&spin_share=0.714&bounce=wall_twice",
     "spheres": "scene=spheres",
     "spheres-measured": "scene=spheres&material=alumina-on-glass",
     "lesson": "scene=lesson&step=2&lang=en",

@@ -86,7 +86,7 @@ def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, 
     page.mouse.click(box["x"] + 0.6 * box["width"], box["y"] + 0.7 * box["height"])
     settle(page, server)
     assert collision_of(page)["kappa"] > 2 * start["kappa"]
-    page.get_by_test_id("contact-play").click()
+    page.get_by_test_id("bounce-play").click()
     page.locator("[name='map'][value='switches']").check()
     expect(page.get_by_test_id("map")).to_have_attribute("aria-label", re.compile("switches"))
     page.get_by_test_id("lesson-again").click()

@@ -89,9 +89,9 @@ def test_every_picture_gives_its_data_and_itself(
     settle(used_tab, server)
     rest(used_tab)
     begins = {
-        "CSV": rb"(time|kappa|gt_over_gn),",
+        "CSV": rb"(time|kappa|gt_over_gn|bounces),",
         "CSV + units": rb"# ",
-        "CSV 0,5": rb"(time|kappa|gt_over_gn);.*\n(-?\d+,\d+;|0;)",
+        "CSV 0,5": rb"(time|kappa|gt_over_gn|bounces);.*\n(-?\d+,\d+;|0;)",
         "JSON": rb"\{",
         "PNG": rb"\x89PNG",
         "SVG": rb"<svg",

@@ -184,7 +184,7 @@ SIZES_OF_TARGETS = """(main) => {
 }"""
 
 MAIN = (
-    ".scenes a, .chip, .parameter-slider, .parameter-field, .contact-play, .lesson-option,"
+    ".scenes a, .chip, .parameter-slider, .parameter-field, .bounce-play, .lesson-option,"
     " .lesson-turns button, .handout-tools button, .message-close, .material select, .crosshair"
 )
 """What a collision or the lesson is steered with."""

@@ -1,22 +1,33 @@
 // @ts-check
 
-import { cutQuery, mapQuery, traceQuery } from "../../api/queries.js";
+import { bounceQuery, cutQuery, mapQuery, traceQuery } from "../../api/queries.js";
+import { say } from "../../format/words.js";
 import { mostSwitches } from "../../figures/map-figure.js";
 import { mapTable } from "../../figures/tables.js";
 import { createFollower } from "../../state/follower.js";
 import { horizontalAxis, placeOnMap, rowsOf } from "../../state/map-view.js";
-import { sameCollision } from "../../state/parameters.js";
+import { BOUNCES, sameCollision, SPIN_SHARE } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
-import { mountContactAnimation } from "./contact-animation.js";
+import { createBallLoad } from "../../state/collision-load.js";
+import { mountBounce } from "./bounce/bounce.js";
 import { mountCut } from "./cut.js";
 import { mountEnergyToggle } from "./energy-toggle.js";
 import { readMap } from "./map-reading.js";
 import { mountMap } from "./map.js";
-import { contactTable, cutTable, forceTable, velocityTable } from "./tables.js";
+import { bounceTable, cutTable, forceTable, velocityTable } from "./tables.js";
 import { mountTimeCursor } from "./time-cursor.js";
 import { mountForceTrace, mountVelocity } from "./trace-plots.js";
-import { cutWish, FULL_CUT, FULL_MAP, isEnoughCut, isEnoughMap, mapWish } from "./wishes.js";
+import {
+  ballWish,
+  isEnoughBall,
+  cutWish,
+  FULL_CUT,
+  FULL_MAP,
+  isEnoughCut,
+  isEnoughMap,
+  mapWish,
+} from "./wishes.js";
 
 /**
  * @typedef {import("../../state/url.js").PageState} PageState
@@ -40,8 +51,8 @@ const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
 export function mountExplorer({ client, present, set, setCollision, preview, explain, explainBy }) {
   const force = mountForceTrace(byTestId("force-trace"));
   const velocity = mountVelocity(byTestId("velocity"));
-  const timeCursor = mountTimeCursor((share) => animation.point(share));
-  const animation = mountContactAnimation(find(".contact"), { onShare: timeCursor.follow });
+  const timeCursor = mountTimeCursor((share) => bounce.point(share));
+  const bounce = mountBounce(find(".bounce"), { onShare: timeCursor.follow, onOption: set });
   const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => set({ energy }));
   const map = mountMap(find(".map-panel"), { onPlace: setCollision, onOption: set });
   const cut = mountCut(find(".cut-panel"), setCollision);
@@ -77,6 +88,17 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     pause: PAUSES.cut,
   });
 
+  const balls = createFollower({
+    load: createBallLoad(client),
+    isEnough: isEnoughBall,
+    onAnswer: bounce.showBall,
+    onError(error) {
+      // Its factors hold for other collisions, too: the next one asks again.
+      balls.forget();
+      explain(error);
+    },
+  });
+
   function drawMap() {
     if (shownMap) {
       const { map: quantity, map_x, alpha, shape } = present();
@@ -98,6 +120,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     if (reading) {
       map.legend.point(reading);
     }
+    bounce.preview(reading && reading.epsilon_t);
     afterNextFrame(() => {
       announcePainted("crosshair", inputTimeStamp);
       if (reading) {
@@ -114,6 +137,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     if (SHOWN_IN.includes(state.scene)) {
       maps.follow(mapWish(state, dragging, maps.asked()));
       cuts.follow(cutWish(state, dragging, cuts.asked()));
+      balls.follow(ballWish(state));
     }
   }
 
@@ -121,7 +145,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   function playOnce() {
     if (!hasPlayed) {
       hasPlayed = true;
-      animation.playGently();
+      bounce.playGently();
     }
   }
 
@@ -138,11 +162,9 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       if (!isLight) {
         velocity.show(next, dragging);
       }
-      animation.show(next);
       if (!dragging) {
         force.describe(next);
         velocity.describe(next);
-        animation.describe();
         playOnce();
       }
     });
@@ -150,7 +172,6 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
 
   /** @param {string} reason */
   function showNoTrace(reason) {
-    animation.showNothing();
     force.showReason(`No picture of this one: ${reason}`);
     velocity.showReason("No picture of this one");
   }
@@ -164,9 +185,9 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       map.options(state);
       cut.point(state.collision);
       energyToggle.show(state.energy);
+      bounce.show(state);
       velocity.showEnergy(state.energy === "shown");
       if (previous && !sameCollision(state.collision, previous.collision)) {
-        animation.pause();
         read(state, inputTimeStamp);
       }
       if (previous && MAP_LOOKS.some((key) => state[key] !== previous[key])) {
@@ -186,6 +207,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         map.settle(answer.result, change.dragging);
       }
       cut.settle(answer.result);
+      bounce.settle(trace ?? answer.result, trace, isPresent);
       if (trace) {
         showTrace(trace, change);
       } else if (isPictured) {
@@ -205,6 +227,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     forget() {
       maps.forget();
       cuts.forget();
+      balls.forget();
     },
 
     pictures: {
@@ -221,10 +244,17 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         table: () => trace && velocityTable(trace),
       },
       contact: {
-        title: "Contact",
-        request,
-        parameters,
-        table: () => trace && contactTable(trace),
+        title: say("bounce.title"),
+        request: () => ({ call: "bounce", query: bounceQuery(ballWish(present())) }),
+        parameters() {
+          const { bounce: off, spin_share } = present();
+          return {
+            ...parameters(),
+            ...(off === BOUNCES[0].id ? {} : { bounce: off }),
+            ...(spin_share === SPIN_SHARE.initial ? {} : { spin_share }),
+          };
+        },
+        table: () => bounceTable(bounce.motions()),
       },
       map: {
         title: "Map",

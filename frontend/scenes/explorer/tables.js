@@ -2,6 +2,8 @@
 
 import { placesAmong, spreadIndices } from "../../figures/sample.js";
 import { significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
+import { angleOf, speedOf } from "./bounce/motions.js";
 
 /**
  * @typedef {import("../../figures/tables.js").Table} Table
@@ -12,6 +14,9 @@ import { significant } from "../../format/number.js";
 const TRACE_ROWS = 40;
 const SWITCH_ROWS = 60;
 const CUT_ROWS = 30;
+
+/** What the motions of a ball are called, one after another. */
+const MOTION_KEYS = ["bounce.table.comes", "bounce.table.leaves", "bounce.table.leavesAgain"];
 
 /** @param {Trace} trace @returns {Table} */
 export function forceTable(trace) {
@@ -26,12 +31,32 @@ export function velocityTable(trace) {
   return traceTable(trace, "Tangential velocity", { "g_t(t)/g_n": trace.tangential_velocity });
 }
 
-/** @param {Trace} trace @returns {Table} */
-export function contactTable(trace) {
-  return traceTable(trace, "Compression of the spheres and stretch of the spring, scaled,", {
-    compression: trace.compression,
-    stretch: trace.spring_elongation,
-  });
+/**
+ * The ball before and after, over g_n.
+ * @param {import("./bounce/motions.js").Motion[] | null} motions
+ * @returns {Table | null}
+ */
+export function bounceTable(motions) {
+  return (
+    motions && {
+      caption: say("bounce.table.caption"),
+      headings: [
+        say("bounce.table.motion"),
+        say("bounce.table.angle"),
+        say("bounce.table.speed"),
+        say("bounce.table.normal"),
+        say("bounce.table.centre"),
+        say("bounce.table.spin"),
+      ],
+      rows: motions.map((motion, i) => [
+        say(MOTION_KEYS[i]),
+        `${significant(angleOf(motion))}°`,
+        ...[speedOf(motion), motion.normal, motion.centre, motion.spin].map((value) =>
+          significant(value),
+        ),
+      ]),
+    }
+  );
 }
 
 /**

@@ -25,7 +25,7 @@ const VIEWS = [
 
 /**
  * One instant of the contact, under the pointer, marked and read in every plot over time.
- * Where no pointer is, the instant of the contact's animation is marked, without its readings.
+ * Where no pointer is, the instant that the bounce shows is marked, without its readings.
  * @param {(share: number) => void} onPoint told where the pointer is
  */
 export function mountTimeCursor(onPoint) {
@@ -35,8 +35,8 @@ export function mountTimeCursor(onPoint) {
   let trace = null;
   /** @type {number | null} share of the contact, 0 … 1 */
   let share = null;
-  /** That of the animation. */
-  let shown = 0;
+  /** That of the bounce, null while the ball flies. @type {number | null} */
+  let shown = null;
 
   for (const cursor of cursors) {
     layOver(cursor, TRACE_MARGIN);
@@ -61,11 +61,12 @@ export function mountTimeCursor(onPoint) {
     }
     const sample = share === null ? -1 : nearest(trace.time, share * trace.contact_duration);
     const place = share === null ? shown : trace.time[sample] / trace.contact_duration;
+    const isThere = place !== null;
     for (const [k, cursor] of cursors.entries()) {
-      cursor.style.setProperty("--x", place.toFixed(4));
-      cursor.toggleAttribute("data-on", true);
+      cursor.style.setProperty("--x", (place ?? 0).toFixed(4));
+      cursor.toggleAttribute("data-on", isThere);
       cursor.toggleAttribute("data-read", share !== null);
-      cursor.toggleAttribute("data-late", place > 0.55);
+      cursor.toggleAttribute("data-late", isThere && place > 0.55);
       if (share !== null) {
         readings[k].innerHTML = reading(trace, sample, VIEWS[k]);
       }
@@ -79,7 +80,7 @@ export function mountTimeCursor(onPoint) {
       draw();
     },
 
-    /** Where the animation is. @param {number} next share of the contact */
+    /** Where the bounce is. @param {number | null} next share of the contact, null in flight */
     follow(next) {
       shown = next;
       if (share === null) {

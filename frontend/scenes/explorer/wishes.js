@@ -1,6 +1,7 @@
 // @ts-check
 
 import { axesFor, sameAxes } from "../../state/map-view.js";
+import { BOUNCES, sameCollision } from "../../state/parameters.js";
 
 /**
  * @typedef {import("../../api/queries.js").MapWish} MapWish
@@ -58,4 +59,25 @@ export function cutWish(state, dragging, asked) {
 /** @param {CutWish} asked @param {CutWish} wish */
 export function isEnoughCut(asked, wish) {
   return asked.kappa === wish.kappa && sameAxes(asked, wish) && asked.count >= wish.count;
+}
+
+/**
+ * The ball that belongs to a state.
+ * @param {Pick<PageState, "collision" | "alpha" | "bounce" | "spin_share">} state
+ * @returns {import("../../state/collision-load.js").BallWish}
+ */
+export function ballWish({ collision, alpha, bounce, spin_share: spinShare }) {
+  const { partner, times } = BOUNCES.find(({ id }) => id === bounce) ?? BOUNCES[0];
+  return { collision, alpha, partner, spinShare, times };
+}
+
+/**
+ * Whether what was asked for does: its factors hold for every collision, the next collision does not.
+ * @param {import("../../state/collision-load.js").BallWish} asked
+ * @param {import("../../state/collision-load.js").BallWish} wish
+ */
+export function isEnoughBall(asked, wish) {
+  const isSameBody = asked.alpha === wish.alpha && asked.partner === wish.partner;
+  const isFollowed = asked.times === 2 && sameCollision(asked.collision, wish.collision);
+  return isSameBody && (wish.times === 1 || isFollowed);
 }

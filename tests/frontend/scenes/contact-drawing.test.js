@@ -1,8 +1,12 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { contactMotion, stateAt } from "../../../frontend/scenes/explorer/contact-motion.js";
-import { contactScene } from "../../../frontend/scenes/explorer/contact-drawing.js";
+import {
+  contactMotion,
+  mirrored,
+  stateAt,
+} from "../../../frontend/scenes/explorer/bounce/contact-motion.js";
+import { contactScene } from "../../../frontend/scenes/explorer/bounce/contact-drawing.js";
 import { makeTrace } from "../fixtures.js";
 
 const SIZE = { width: 560, height: 150 };
@@ -83,4 +87,23 @@ test("contactScene stays in the picture, on a phone as well, and finite where no
       }
     }
   }
+});
+
+test("mirrored is the same contact of a ball that comes from the other side", () => {
+  const back = contactMotion(mirrored(TRACE));
+  assert.deepEqual(
+    [0, 1.5, 3].map((instant) => stateAt(back, instant).regime),
+    ["backward", "sticking", "forward"],
+  );
+  const [there, here] = [motion, back].map((each) => contactScene(each, 1 / 3, SIZE));
+  assert.ok(Math.abs(there.anchor.x + here.anchor.x - SIZE.width) < 1e-9);
+  assert.equal(there.normalForce, here.normalForce);
+});
+
+test("contactScene has another ball below, flat as far as the foot comes, in place of a wall", () => {
+  assert.equal(contactScene(motion, 0.5, SIZE).other, "");
+  const [left, at, ...rest] = numbers(contactScene(motion, 0.5, SIZE, false).other);
+  const feet = [0, 1].map((share) => contactScene(motion, share, SIZE, false).shoe.x);
+  assert.ok(left < Math.min(...feet) && rest.at(-2) > Math.max(...feet));
+  assert.equal(at, contactScene(motion, 0.5, SIZE, false).ground);
 });

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createPlayback } from "../../../frontend/scenes/explorer/playback.js";
+import { createPlayback } from "../../../frontend/scenes/explorer/bounce/playback.js";
 
 /** A playback whose frames come when the test says so. */
 function makePlayback() {
@@ -12,6 +12,7 @@ function makePlayback() {
     onShare: (share) => shares.push(share),
     onPlaying: (is) => playing.push(is),
     nextFrame: (task) => waiting.push(task),
+    duration: () => 4000,
     initial: 0.25,
   });
   const frame = (now) => {

@@ -10,6 +10,8 @@ import { spreadNumbers } from "../random.js";
 const USUAL = {
   collision: INITIAL_COLLISION,
   alpha: SOLID_ALPHA,
+  bounce: "wall",
+  spin_share: 0,
   accuracy: USUAL_ACCURACY,
   map: "epsilon_t",
   scale: "linear",
@@ -55,6 +57,8 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
     const state = {
       collision: { kappa, mu_over_alpha, gt_over_gn, damping: i % 2 ? 0 : Math.min(kappa, 1e30) },
       alpha: i % 4 ? SOLID_ALPHA : 0.4,
+      bounce: ["wall", "wall_twice", "sphere"][i % 3],
+      spin_share: i % 5 ? 0 : 5 / 7,
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
       map_x: i % 5 ? "kappa" : "alpha_kappa",
@@ -129,6 +133,18 @@ test("α stands in the address only where it is not 2/7, and nonsense becomes 2/
     assert.equal(state.alpha, SOLID_ALPHA);
     assert.match(problems[0], /^α must be greater than 0, at most 1/);
   }
+});
+
+test("the ball that bounces stands in the address where it is not the usual one", () => {
+  assert.doesNotMatch(writeAddress(USUAL), /spin_share|bounce/);
+  const ball = { ...USUAL, bounce: "wall_twice", spin_share: 0.714 };
+  assert.match(writeAddress(ball), /&spin_share=0\.714&bounce=wall_twice(&|$)/);
+  const { state, problems } = readAddress("?bounce=floor&spin_share=1.5");
+  assert.deepEqual([state.bounce, state.spin_share], ["wall", 0]);
+  assert.deepEqual(problems, [
+    "bounce must be wall or wall_twice or sphere, not “floor”",
+    "spin_share must be a number from 0 to 1, not “1.5”",
+  ]);
 });
 
 test("readAddress brings the scene of a panel that stands alone", () => {

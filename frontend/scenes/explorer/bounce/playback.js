@@ -1,17 +1,15 @@
 // @ts-check
 
-/** So long takes a contact at full speed, in ms. */
-const WHOLE_CONTACT = 4000;
-
 /**
- * A share of the contact that runs from 0 to 1, or is put where one wants it.
+ * A share of the whole that runs from 0 to 1, or is put where one wants it.
  * @param {object} options
  * @param {(share: number) => void} options.onShare
  * @param {(isPlaying: boolean) => void} options.onPlaying
  * @param {(task: (now: number) => void) => unknown} options.nextFrame
+ * @param {() => number} options.duration of the whole at full speed, in ms
  * @param {number} options.initial where it rests before it has been played
  */
-export function createPlayback({ onShare, onPlaying, nextFrame, initial }) {
+export function createPlayback({ onShare, onPlaying, nextFrame, duration, initial }) {
   let share = initial;
   let speed = 1;
   /** @type {symbol | null} of the run under way */
@@ -47,7 +45,7 @@ export function createPlayback({ onShare, onPlaying, nextFrame, initial }) {
         if (run !== mine) {
           return;
         }
-        put(share + (speed * (now - (before ?? now))) / WHOLE_CONTACT);
+        put(share + (speed * (now - (before ?? now))) / duration());
         before = now;
         if (share < 1) {
           nextFrame(step);

@@ -1,11 +1,11 @@
 // @ts-check
 
-import { regimeOf } from "./regimes.js";
+import { regimeOf } from "../regimes.js";
 
 /**
  * What the picture of a contact needs of a whole trace, worked out once for each.
  * @typedef {object} Motion
- * @property {import("../../api/answers.js").Trace} trace
+ * @property {import("../../../api/answers.js").Trace} trace
  * @property {Float64Array} slip how far one surface has slid over the other, at each sample
  * @property {{min: number, max: number}} slipRange
  * @property {number} largestElongation of the spring, to either side
@@ -14,7 +14,7 @@ import { regimeOf } from "./regimes.js";
 /**
  * The slip is what the surfaces have moved, less what the spring has taken up of it; it is summed up
  * from the columns for the drawing only.
- * @param {import("../../api/answers.js").Trace} trace
+ * @param {import("../../../api/answers.js").Trace} trace
  * @returns {Motion}
  */
 export function contactMotion(trace) {
@@ -33,6 +33,21 @@ export function contactMotion(trace) {
     largestElongation = Math.max(largestElongation, Math.abs(elongation[i]));
   }
   return { trace, slip, slipRange, largestElongation };
+}
+
+/**
+ * The same collision of a ball that comes from the other side.
+ * @param {import("../../../api/answers.js").Trace} trace
+ */
+export function mirrored(trace) {
+  const turned = (/** @type {Float64Array} */ column) => column.map((value) => -value);
+  return {
+    ...trace,
+    tangential_force_over_mu: turned(trace.tangential_force_over_mu),
+    tangential_velocity: turned(trace.tangential_velocity),
+    spring_elongation: turned(trace.spring_elongation),
+    episodes: trace.episodes.map((episode) => ({ ...episode, direction: -episode.direction })),
+  };
 }
 
 /**
@@ -60,7 +75,7 @@ export function stateAt({ trace, slip }, instant) {
 
 /**
  * The regime at an instant; the last one listed where the list is cut off.
- * @param {import("../../api/answers.js").Episode[]} episodes
+ * @param {import("../../../api/answers.js").Episode[]} episodes
  * @param {number} instant
  */
 function regimeAt(episodes, instant) {

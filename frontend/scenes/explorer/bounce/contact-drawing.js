@@ -1,16 +1,17 @@
 // @ts-check
 
+import { regimeOf } from "../regimes.js";
+import { arrowPath, round } from "./arrow.js";
 import { stateAt } from "./contact-motion.js";
-import { regimeOf } from "./regimes.js";
 
 /**
  * @typedef {import("./contact-motion.js").Motion} Motion
- * @typedef {import("../../figures/plot-area.js").Size} Size
- * @typedef {{x: number, y: number}} Point in pixels of the design
+ * @typedef {import("../../../figures/plot-area.js").Size} Size
+ * @typedef {import("./arrow.js").Point} Point
  */
 
-/** The ground under the contact, with the tracks in it, in pixels. */
-const GROUND = 46;
+/** The ground under the bodies, with the tracks in it, in pixels. */
+export const GROUND = 44;
 /** How deep a compression of one flattens the ball, in radii; undamped, it reaches 1.09. */
 const RADII_PER_COMPRESSION = 0.12;
 /** The longest arrow that leaves its label room, for the largest undamped force, 1.14. */
@@ -29,8 +30,9 @@ const TRACKS = { first: 9, step: 5 };
  * @param {Motion} motion
  * @param {number} share of the contact, 0 … 1
  * @param {Size} size in pixels of the design
+ * @param {boolean} [isWall] whether it is pressed on a wall, and not on a ball as itself
  */
-export function contactScene(motion, share, size) {
+export function contactScene(motion, share, size, isWall = true) {
   const { contact_duration: duration, episodes } = motion.trace;
   const instant = share * duration;
   const state = stateAt(motion, instant);
@@ -43,6 +45,8 @@ export function contactScene(motion, share, size) {
     ...state,
     instant,
     ground,
+    radius: place.radius,
+    other: isWall ? "" : otherPath(size, ground, place),
     ball: ballPath(
       center,
       ground,
@@ -80,6 +84,7 @@ function placing({ slipRange, largestElongation }, { width, height }) {
   return {
     radius,
     anchorHeight,
+    reach: used / 2 + reach + SHOE.width,
     pixelsPerForce: Math.max(0, Math.min(LONGEST_ARROW, above)) / 1.15,
     enlarged: slides ? (reach * slipPerStretch) / used : 1,
     ahead: (/** @type {number} */ elongation) =>
@@ -105,6 +110,18 @@ function ballPath(x, ground, radius, depth) {
 }
 
 /**
+ * The ball below, flat as far as the foot may come.
+ * @param {Size} size
+ * @param {number} ground
+ * @param {{radius: number, reach: number}} place
+ */
+function otherPath({ width }, ground, { radius, reach }) {
+  const [left, right] = [width / 2 - reach, width / 2 + reach].map(round);
+  const r = round(Math.max(radius, 1.2 * reach));
+  return `M${left},${ground}A${r},${r} 0 1 0 ${right},${ground}Z`;
+}
+
+/**
  * A coil from one point to another, as long as they are apart.
  * @param {Point} from
  * @param {Point} to
@@ -125,32 +142,12 @@ function springPath(from, to) {
 }
 
 /**
- * A shaft with a head; nothing where it would be shorter than its head.
- * @param {Point} from
- * @param {Point} by
- */
-function arrowPath(from, by) {
-  const length = Math.hypot(by.x, by.y);
-  const head = Math.min(7, 0.6 * length);
-  if (length < 2) {
-    return { path: "", tip: from };
-  }
-  const [ux, uy] = [by.x / length, by.y / length];
-  const tip = { x: from.x + by.x, y: from.y + by.y };
-  const [bx, by_] = [tip.x - head * ux, tip.y - head * uy];
-  const wing = (/** @type {number} */ side) =>
-    `${round(bx - side * 0.55 * head * uy)},${round(by_ + side * 0.55 * head * ux)}`;
-  const path = `M${round(from.x)},${round(from.y)}L${round(bx)},${round(by_)}M${wing(1)}L${round(tip.x)},${round(tip.y)}L${wing(-1)}Z`;
-  return { path, tip };
-}
-
-/**
  * What the foot has done until an instant, one under another: how far it slid, or where it stuck.
  * @param {Motion} motion
  * @param {number} instant
  * @param {number} ground
  * @param {(slip: number) => number} foot
- * @param {import("../../api/answers.js").Episode[]} episodes
+ * @param {import("../../../api/answers.js").Episode[]} episodes
  */
 function tracks(motion, instant, ground, foot, episodes) {
   const step = Math.min(TRACKS.step, (GROUND - TRACKS.first - 5) / Math.max(1, episodes.length));
@@ -162,9 +159,4 @@ function tracks(motion, instant, ground, foot, episodes) {
       to: round(foot(stateAt(motion, Math.min(instant, episode.end)).slip)),
       y: round(ground + TRACKS.first + i * step),
     }));
-}
-
-/** @param {number} pixels */
-function round(pixels) {
-  return Math.round(100 * pixels) / 100;
 }
