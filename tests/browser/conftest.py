@@ -97,6 +97,8 @@ def refuse_script(*_: str) -> None:
 def leave_as_found(page: Page) -> None:
     page.unroute_all()
     page.keyboard.press("Escape")
+    # what was laid out for paper
+    page.evaluate("() => dispatchEvent(new Event('afterprint'))")
     page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
     page.set_viewport_size({"width": 1280, "height": 720})
 
