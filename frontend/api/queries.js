@@ -4,7 +4,9 @@
  * What pictures over the map's axes are made of.
  * @typedef {import("../state/map-view.js").MapAxes} MapAxes
  * @typedef {MapAxes & {counts: import("../state/map-view.js").Counts}} MapWish
- * @typedef {MapAxes & {kappa: number, count: number}} CutWish
+ * @typedef {MapAxes & {along: "gt_over_gn" | "kappa", held: number}} CutAxes with the value that
+ *   the other of the two has all along the cut
+ * @typedef {CutAxes & {count: number}} CutWish
  * @typedef {MapWish & {accuracy: Record<string, string>}} ErrorMapWish
  */
 
@@ -106,13 +108,14 @@ export function stepsQuery(where, error) {
 }
 
 /** What `/cut` is asked. @param {CutWish} wish */
-export function cutQuery({ kappa, muOverAlpha, view, count }) {
+export function cutQuery({ along, held, muOverAlpha, view, count }) {
+  const { min, max } = along === "kappa" ? view.kappa : view.gtOverGn;
   return {
-    along: "gt_over_gn",
-    kappa: String(kappa),
+    along,
+    [along === "kappa" ? "gt_over_gn" : "kappa"]: String(held),
     mu_over_alpha: String(muOverAlpha),
-    minimum: String(view.gtOverGn.min),
-    maximum: String(view.gtOverGn.max),
+    minimum: String(min),
+    maximum: String(max),
     count: String(count),
     scale: view.scale,
     quantities: CUT_COLUMNS,

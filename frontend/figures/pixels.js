@@ -34,14 +34,20 @@ export function differInMarksOnly(a, b) {
 }
 
 /**
- * The path of a line, as SVG writes it.
+ * The path of a line, as SVG writes it, with a gap where its y is not a number.
  * @param {{x: ArrayLike<number>, y: ArrayLike<number>}} trace
  * @param {PixelScale} scale
  */
 export function linePath({ x, y }, scale) {
   let path = "";
+  let pen = "M";
   for (let i = 0; i < x.length; i += 1) {
-    path += `${i === 0 ? "M" : "L"}${scale.x(x[i])},${scale.y(y[i])}`;
+    if (Number.isNaN(y[i])) {
+      pen = "M";
+    } else {
+      path += `${pen}${scale.x(x[i])},${scale.y(y[i])}`;
+      pen = "L";
+    }
   }
   return path;
 }

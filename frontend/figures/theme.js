@@ -23,6 +23,7 @@
  * @property {string} normalForce
  * @property {string} tangentialForce
  * @property {string} velocity
+ * @property {string} negative ε_t on an axis that has no room below zero
  * @property {string} methodTable
  * @property {string} methodSteps
  * @property {string} methodEuler
@@ -50,6 +51,7 @@ export const THEME_PROPERTIES = {
   normalForce: "--normal-force",
   tangentialForce: "--tangential-force",
   velocity: "--velocity",
+  negative: "--negative",
   methodTable: "--method-table",
   methodSteps: "--method-steps",
   methodEuler: "--method-euler",

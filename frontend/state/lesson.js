@@ -6,7 +6,7 @@ import { BOUNCES, sameCollision, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js
 /**
  * @typedef {import("./url.js").PageState} PageState
  * @typedef {import("./parameters.js").Collision} Collision
- * @typedef {Pick<PageState, "collision" | "accuracy" | "alpha" | "map" | "scale" | "map_x" | "map_y" | "shape" | "energy" | "bounce" | "spin_share">} Setting
+ * @typedef {Pick<PageState, "collision" | "accuracy" | "alpha" | "map" | "scale" | "map_x" | "map_y" | "shape" | "energy" | "bounce" | "spin_share" | "cut_x" | "cut_y">} Setting
  */
 
 /**
@@ -158,7 +158,10 @@ export const STEPS = [
     id: "stiff",
     look: ["cut"],
     minutes: 8,
-    setting: setting({ kappa: 200, mu_over_alpha: 1.4, gt_over_gn: 1 }, { scale: "log" }),
+    setting: setting(
+      { kappa: 200, mu_over_alpha: 1.4, gt_over_gn: 1 },
+      { scale: "log", cut_x: "kappa", cut_y: "log" },
+    ),
     question: { kind: "choice", options: ["root", "linear", "power"], right: "power" },
   },
   {
@@ -285,6 +288,8 @@ function setting(collision, view = {}) {
     energy: "hidden",
     bounce: BOUNCES[0].id,
     spin_share: SPIN_SHARE.initial,
+    cut_x: "gt_over_gn",
+    cut_y: "linear",
     ...view,
   };
 }

@@ -119,6 +119,18 @@ export function horizontalAxis({ kappa }, symbol, alpha) {
 }
 
 /**
+ * The parameter at a share of the axis that a cut runs along, to four digits.
+ * @param {MapView} view
+ * @param {"gt_over_gn" | "kappa"} along
+ * @param {number} share
+ * @param {number} muOverAlpha
+ */
+export function placeOnCut(view, along, share, muOverAlpha) {
+  const { kappa, gt_over_gn } = collisionAt(view, share, share, muOverAlpha);
+  return along === "kappa" ? { kappa } : { gt_over_gn };
+}
+
+/**
  * The μ/α to ask with, so that the answer lies on the axes of the view.
  * @param {MapView} view
  * @param {Collision} collision

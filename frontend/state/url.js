@@ -18,6 +18,8 @@ const WORDS = {
   map_y: ["gt_over_gn", "psi"],
   shape: ["flat", "surface"],
   energy: ["hidden", "shown"],
+  cut_x: ["gt_over_gn", "kappa"],
+  cut_y: ["linear", "log"],
 };
 
 /** Panels that belong to one scene. */
@@ -75,6 +77,8 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {"gt_over_gn" | "psi"} map_y what map and cut run over
  * @property {"flat" | "surface"} shape of the map
  * @property {"hidden" | "shown"} energy over time, with the velocity
+ * @property {"gt_over_gn" | "kappa"} cut_x the parameter that the cut runs along
+ * @property {"linear" | "log"} cut_y ε_t on the cut as it is, or its magnitude on a logarithmic axis
  * @property {string} scene
  * @property {"system" | "light" | "dark"} theme
  * @property {string} region whose measurement is shown

@@ -43,6 +43,68 @@ def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(used_tab: Page, serve
     assert after == {key: before[key] for key in after}
 
 
+def test_the_cut_runs_along_kappa_where_that_is_chosen(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=20&mu_over_alpha=2&gt_over_gn=1&scale=log&map_y=psi")
+    used_tab.locator("[name=cut_x][value=kappa]").check()
+    settle(used_tab, server)
+    assert "cut_x=kappa" in used_tab.url
+    asked = {"along": "kappa", "mu_over_alpha": 2, "gt_over_gn": 1, "count": FULL_CUT}
+    answer = ask(server, "cut", **asked, minimum=0.1, maximum=1000, scale="log")
+    assert np.array_equal(cut_of(used_tab), answer["epsilon_t"])
+    mark = used_tab.get_by_test_id("cut-mark")
+    box = mark.bounding_box()
+    mark.click(position={"x": 0.75 * box["width"], "y": 0.3 * box["height"]})
+    settle(used_tab, server)
+    after = collision_of(used_tab)
+    assert after.pop("kappa") == pytest.approx(100, rel=0.03)
+    assert after == {"mu_over_alpha": 2, "gt_over_gn": 1}
+
+
+def test_a_logarithmic_cut_shows_magnitude_and_sign(used_tab: Page, server: str):
+    visit(used_tab, "/?kappa=200&gt_over_gn=1&scale=log&cut_x=kappa&cut_y=log")
+    settle(used_tab, server)
+    rest(used_tab)
+    curves = used_tab.get_by_test_id("cut").evaluate(
+        "plot => Object.fromEntries(plot.data.map((t) => [t.name, [...t.y]]))"
+    )
+    asked = {"along": "kappa", "mu_over_alpha": 1.4, "gt_over_gn": 1, "count": FULL_CUT}
+    answer = ask(server, "cut", **asked, minimum=0.1, maximum=1000, scale="log")
+    floor = min(y for y in curves["epsilon_t"] if y is not None and not np.isnan(y))
+    for name, sign in (("epsilon_t", 1), ("epsilon_t, negative", -1)):
+        there = [np.log10(sign * e) for e in answer["epsilon_t"] if sign * e > 0]
+        wanted = [y for y in there if y > floor]
+        drawn = [y for y in curves[name] if y is not None and y > floor]
+        np.testing.assert_allclose(drawn, wanted, rtol=1e-12)
+    mark = used_tab.get_by_test_id("cut-mark")
+    expect(mark).not_to_have_attribute("data-negative", "")
+    used_tab.get_by_test_id("kappa-field").fill("1")
+    settle(used_tab, server)
+    expect(mark).to_have_attribute("data-negative", "")
+    expect(used_tab.locator(".negative-key")).to_be_visible()
+    used_tab.locator("[name=cut_y][value=linear]").check()
+    expect(used_tab.locator(".negative-key")).to_be_hidden()
+    expect(mark).not_to_have_attribute("data-negative", "")
+
+
+def test_the_stiff_limit_is_shown_and_named_only_where_it_says_something(
+    used_tab: Page, server: str
+):
+    key = used_tab.locator(".stiff-limit-key")
+    visit(used_tab, "/?kappa=4.5")
+    settle(used_tab, server)
+    rest(used_tab)
+    expect(key).to_be_hidden()
+    visit(used_tab, "/?kappa=63")
+    settle(used_tab, server)
+    expect(key).to_be_visible()
+    dash = used_tab.get_by_test_id("cut").evaluate(
+        "plot => plot.data.find((t) => t.name === 'stiff limit').line.dash"
+    )
+    assert dash == "1px,4px"
+    style = key.locator(".swatch").evaluate("e => getComputedStyle(e).borderTopStyle")
+    assert style == "dotted"
+
+
 def test_over_psi_the_map_and_the_cut_are_asked_for_once_whatever_the_friction(
     used_tab: Page, server: str
 ):

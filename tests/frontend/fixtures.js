@@ -20,6 +20,7 @@ export const THEME = {
   normalForce: "normal",
   tangentialForce: "tangential",
   velocity: "velocity",
+  negative: "negative",
   methodTable: "table",
   methodSteps: "steps",
   methodEuler: "euler",

@@ -11,7 +11,7 @@ import { byTestId, find } from "../../widgets/find.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
 import { createBallLoad } from "../../state/collision-load.js";
 import { mountBounce } from "./bounce/bounce.js";
-import { mountCut } from "./cut.js";
+import { mountCut } from "./cut/cut.js";
 import { mountEnergyToggle } from "./energy-toggle.js";
 import { readMap } from "./map-reading.js";
 import { mountMap } from "./map.js";
@@ -55,7 +55,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   const bounce = mountBounce(find(".bounce"), { onShare: timeCursor.follow, onOption: set });
   const energyToggle = mountEnergyToggle(find(".velocity"), (energy) => set({ energy }));
   const map = mountMap(find(".map-panel"), { onPlace: setCollision, onOption: set });
-  const cut = mountCut(find(".cut-panel"), setCollision);
+  const cut = mountCut(find(".cut-panel"), { onPlace: setCollision, onOption: set });
   /** @type {Trace | null} */
   let trace = null;
   /** @type {import("../../api/queries.js").MapWish & {grid: import("../../api/answers.js").MapGrid} | null} */
@@ -183,6 +183,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     show(state, previous, { inputTimeStamp }) {
       map.point(state.collision);
       map.options(state);
+      cut.options(state);
       cut.point(state.collision);
       energyToggle.show(state.energy);
       bounce.show(state);
@@ -282,17 +283,15 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       cut: {
         title: "Cut",
         request() {
-          const { view, muOverAlpha } = shownCut ?? cutWish(present(), false, null);
-          const { kappa } = present().collision;
-          return { call: "cut", query: cutQuery({ kappa, muOverAlpha, view, count: FULL_CUT }) };
+          const wish = shownCut ?? cutWish(present(), false, null);
+          return { call: "cut", query: cutQuery({ ...wish, count: FULL_CUT }) };
         },
         parameters,
         table() {
           if (!shownCut) {
             return null;
           }
-          const { along, here } = rowsOf(shownCut.view, present().collision);
-          return cutTable(shownCut.cut, along, here, shownCut.kappa);
+          return cutTable(shownCut, present().collision);
         },
       },
     },

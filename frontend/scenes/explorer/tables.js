@@ -4,6 +4,7 @@ import { placesAmong, spreadIndices } from "../../figures/sample.js";
 import { significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { angleOf, speedOf } from "./bounce/motions.js";
+import { rowsOf } from "../../state/map-view.js";
 
 /**
  * @typedef {import("../../figures/tables.js").Table} Table
@@ -101,18 +102,21 @@ function regimeAt({ episodes, contact_duration: duration }, instant) {
 
 /**
  * The cut and its simple laws, at every so many of its points and at the present collision.
- * @param {import("../../api/answers.js").Cut} cut
- * @param {string} along what it runs over: g_t/g_n or ψ
- * @param {number} here the present collision there
- * @param {number} kappa
+ * @param {import("../../api/queries.js").CutAxes & {cut: import("../../api/answers.js").Cut}} shown
+ * @param {import("../../state/parameters.js").Collision} collision the present one
  * @returns {Table}
  */
-export function cutTable(cut, along, here, kappa) {
+export function cutTable({ cut, view, along, held, muOverAlpha }, collision) {
+  const rows = rowsOf(view, collision);
+  const [over, here, frame] =
+    along === "kappa"
+      ? ["κ", collision.kappa, `g_t/g_n = ${significant(held)}, μ/α = ${significant(muOverAlpha)}`]
+      : [rows.along, rows.here, `κ = ${significant(held)}`];
   const [present] = placesAmong(cut.values, [here]);
   const indices = spreadIndices(cut.values.length, CUT_ROWS, [present]);
   return {
-    caption: `ε_t over ${along} at κ = ${significant(kappa)}: ${indices.length} of ${cut.values.length} points, the one nearest to the present collision among them. CSV and JSON hold all.`,
-    headings: [along, "ε_t", "switches", "Coulomb’s law", "stiff bound", "stiff limit"],
+    caption: `ε_t over ${over} at ${frame}: ${indices.length} of ${cut.values.length} points, the one nearest to the present collision among them. CSV and JSON hold all.`,
+    headings: [over, "ε_t", "switches", "Coulomb’s law", "stiff bound", "stiff limit"],
     rows: indices.map((i) => [
       significant(cut.values[i]),
       significant(cut.epsilon_t[i]),

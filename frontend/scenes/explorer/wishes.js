@@ -42,23 +42,30 @@ export function isEnoughMap(asked, wish) {
 }
 
 /**
- * The cut that belongs to a state: along the vertical axis of the map, at the present κ.
- * @param {Pick<PageState, "collision" | "scale" | "map_y">} state
+ * The cut that belongs to a state: along the vertical axis of the map at the present κ, or along κ
+ * at the present impact.
+ * @param {Pick<PageState, "collision" | "scale" | "map_y" | "cut_x">} state
  * @param {boolean} dragging
  * @param {CutWish | null} asked before
  * @returns {CutWish}
  */
 export function cutWish(state, dragging, asked) {
-  return {
-    kappa: state.collision.kappa,
-    ...axesFor(state, dragging, asked?.view),
-    count: dragging ? QUICK_CUT : FULL_CUT,
-  };
+  const { kappa, gt_over_gn, mu_over_alpha } = state.collision;
+  const axes = axesFor(state, dragging, asked?.view);
+  const count = dragging ? QUICK_CUT : FULL_CUT;
+  return state.cut_x === "kappa"
+    ? { ...axes, along: "kappa", held: gt_over_gn, muOverAlpha: mu_over_alpha, count }
+    : { ...axes, along: "gt_over_gn", held: kappa, count };
 }
 
 /** @param {CutWish} asked @param {CutWish} wish */
 export function isEnoughCut(asked, wish) {
-  return asked.kappa === wish.kappa && sameAxes(asked, wish) && asked.count >= wish.count;
+  return (
+    asked.along === wish.along &&
+    asked.held === wish.held &&
+    sameAxes(asked, wish) &&
+    asked.count >= wish.count
+  );
 }
 
 /**

@@ -58,10 +58,11 @@ test("trace asks for the columns that are drawn, and reads the server's own time
   });
 });
 
-test("cut asks along the vertical axis of the view", async () => {
+test("cut asks along the vertical axis of the view, or along κ", async () => {
   const { asked, client } = clientOf({ values: encoded("f8", Float64Array.of(0.005, 5), "2") });
   const view = mapView(COLLISION, LOG);
-  const cut = await client.cut({ kappa: 63, muOverAlpha: 1.4, view, count: 200 });
+  const axes = { muOverAlpha: 1.4, view, count: 200 };
+  const cut = await client.cut({ along: "gt_over_gn", held: 63, ...axes });
   assert.deepEqual(cut.values, Float64Array.of(0.005, 5));
   assert.equal(asked[0].pathname, "/api/v1/cut");
   assert.deepEqual(Object.fromEntries(asked[0].searchParams), {
@@ -75,6 +76,11 @@ test("cut asks along the vertical axis of the view", async () => {
     quantities: "epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote",
     encoding: "base64",
   });
+  await client.cut({ along: "kappa", held: 1.358, ...axes });
+  const query = Object.fromEntries(asked[1].searchParams);
+  assert.equal(query.gt_over_gn, "1.358");
+  assert.deepEqual([query.along, query.minimum, query.maximum], ["kappa", "0.1", "1000"]);
+  assert.ok(!("kappa" in query));
 });
 
 test("map asks for the axes of the view", async () => {

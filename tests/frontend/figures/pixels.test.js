@@ -35,9 +35,11 @@ test("pixelScale counts from the upper left corner between the axes", () => {
   );
 });
 
-test("linePath leads from point to point", () => {
+test("linePath leads from point to point, but not over a gap", () => {
   const line = { x: Float64Array.of(0, 1, 2), y: Float64Array.of(1, 0, -1) };
   assert.equal(linePath(line, pixelScale(LAYOUT)), "M0,0L50,25L100,50");
+  const broken = { x: [0, 1, 1, 2], y: [1, 0, NaN, -1] };
+  assert.equal(linePath(broken, pixelScale(LAYOUT)), "M0,0L50,25M100,50");
 });
 
 test("barPlaces outlines a bar from its base and finds its middle", () => {

@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { placesAmong, spreadIndices } from "../../../frontend/figures/sample.js";
 import { mapTable } from "../../../frontend/figures/tables.js";
 import { cutTable, forceTable } from "../../../frontend/scenes/explorer/tables.js";
+import { mapView } from "../../../frontend/state/map-view.js";
 
 test("spreadIndices has both ends, what must not be missed, and each index once, in order", () => {
   assert.deepEqual(spreadIndices(101, 3, [7, 50]), [0, 7, 50, 100]);
@@ -54,13 +55,21 @@ test("mapTable marks the row of the present collision and gives the cell nearest
 test("cutTable marks the row of the present collision and shows what a law does not say as absent", () => {
   const values = Float64Array.from({ length: 200 }, (_, i) => (i + 1) / 50);
   const law = values.map((u) => (u < 2 ? 0.1 : Number.NaN));
-  const cut = { values, epsilon_t: values, switches: new Int32Array(200), coulomb: values };
-  const { rows, here } = cutTable(
-    { ...cut, stiff_bound: law, stiff_asymptote: law },
-    "g_t/g_n",
-    1.003,
-    18,
+  const columns = { values, epsilon_t: values, switches: new Int32Array(200), coulomb: values };
+  const cut = { ...columns, stiff_bound: law, stiff_asymptote: law };
+  const collision = { kappa: 3.001, mu_over_alpha: 1.4, gt_over_gn: 1.003, damping: 0 };
+  const view = mapView(collision, { scale: "linear", map_y: "gt_over_gn" });
+  const axes = { cut, view, muOverAlpha: 1.4 };
+  const { caption, headings, rows, here } = cutTable(
+    { ...axes, along: "gt_over_gn", held: 3.001 },
+    collision,
   );
+  assert.match(caption, /^ε_t over g_t\/g_n at κ = 3\.001:/);
+  assert.equal(headings[0], "g_t/g_n");
   assert.equal(rows[here][0], "1.000");
   assert.equal(rows.at(-1).at(-1), "–");
+  const along = cutTable({ ...axes, along: "kappa", held: 1.003 }, collision);
+  assert.match(along.caption, /^ε_t over κ at g_t\/g_n = 1\.003, μ\/α = 1\.400:/);
+  assert.equal(along.headings[0], "κ");
+  assert.equal(along.rows[along.here][0], "3.000");
 });

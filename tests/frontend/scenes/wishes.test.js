@@ -24,6 +24,7 @@ const STATE = {
   map: "epsilon_t",
   scale: "linear",
   map_y: "gt_over_gn",
+  cut_x: "gt_over_gn",
 };
 
 /** The state at another collision, or with other options. */
@@ -81,11 +82,23 @@ test("cutWish asks again for another κ or μ/α, and not for another g_t/g_n", 
   assert.ok(!isEnough(at({}, { scale: "log" })));
 });
 
+test("cutWish along κ asks again for another impact or friction, over ψ too, and not for another κ", () => {
+  for (const options of [{ cut_x: "kappa" }, { cut_x: "kappa", map_y: "psi" }]) {
+    const asked = cutWish(at({}, options), false, null);
+    const isEnough = (changes) => isEnoughCut(asked, cutWish(at(changes, options), true, asked));
+    assert.deepEqual([asked.held, asked.muOverAlpha], [1.358, 1.4]);
+    assert.ok(isEnough({ kappa: 20 }));
+    assert.ok(!isEnough({ gt_over_gn: 3 }));
+    assert.ok(!isEnough({ mu_over_alpha: 2 }));
+    assert.ok(!isEnoughCut(CUT, asked));
+  }
+});
+
 test("cutWish has fewer points while κ is dragged and all when it rests", () => {
   const dragged = cutWish(at({ kappa: 20 }), true, CUT);
   const resting = cutWish(at({ kappa: 20 }), false, dragged);
   assert.deepEqual(
-    [CUT, dragged, resting].map(({ kappa, count }) => [kappa, count]),
+    [CUT, dragged, resting].map(({ held, count }) => [held, count]),
     [
       [63, FULL_CUT],
       [20, QUICK_CUT],
