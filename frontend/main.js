@@ -4,6 +4,8 @@ import { createClient, createExplanation, Unreachable } from "./api/client.js";
 import { spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
 import { createDeferredScene } from "./page/deferred-scene.js";
+import { mountFace } from "./page/face.js";
+import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
 import { mountShell } from "./page/shell.js";
 import { takeTexts } from "./page/texts.js";
@@ -14,6 +16,7 @@ import { createAddressBar } from "./state/address-bar.js";
 import { createCollisionLoad } from "./state/collision-load.js";
 import { createConnection } from "./state/connection.js";
 import { createLatest } from "./state/latest.js";
+import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { SCENES } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
@@ -57,6 +60,8 @@ const setters = {
 };
 const shell = mountShell({ present: store.get, onOption: store.set });
 const collision = mountCollision(setters);
+const face = mountFace(store.set);
+const firstHint = mountFirstHint();
 
 /** @type {import("./scenes/scene.js").Page} */
 const page = {
@@ -68,16 +73,16 @@ const page = {
   explain: explainBy(notice.say),
   reportLost: connection.reportLost,
 };
-/** What is not in the first view. @type {[string, Parameters<typeof createDeferredScene>[1]][]} */
+/** What is not in the first view. @type {[(state: PageState) => boolean, Parameters<typeof createDeferredScene>[1]][]} */
 const DEFERRED = [
-  ["spheres", async () => (await import("./scenes/spheres/scene.js")).mountSpheres],
-  ["accuracy", async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
-  ["paper", async () => (await import("./scenes/paper/scene.js")).mountPaper],
-  ["lesson", async () => (await import("./scenes/lesson/scene.js")).mountLesson],
+  [isScene("spheres"), async () => (await import("./scenes/spheres/scene.js")).mountSpheres],
+  [showsSteps, async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
+  [isScene("paper"), async () => (await import("./scenes/paper/scene.js")).mountPaper],
+  [isScene("lesson"), async () => (await import("./scenes/lesson/scene.js")).mountLesson],
 ];
 const scenes = [
   mountExplorer(page),
-  ...DEFERRED.map(([id, load]) => createDeferredScene(id, load, page, mountMenus)),
+  ...DEFERRED.map(([isShown, load]) => createDeferredScene(isShown, load, page, mountMenus)),
 ];
 [collision, scenes[0]].forEach(mountMenus);
 
@@ -120,6 +125,11 @@ function mountMenus({ pictures }) {
   }
 }
 
+/** @param {string} id @returns {(state: PageState) => boolean} */
+function isScene(id) {
+  return ({ scene }) => scene === id;
+}
+
 /** @returns {Change} */
 function changeNow() {
   return { dragging: false, inputTimeStamp: performance.now() };
@@ -133,6 +143,8 @@ function changeNow() {
  */
 function show(state, previous, change) {
   shell.show(state);
+  face.show(state);
+  firstHint.show(state);
   collision.show(state, previous);
   scenes.forEach((scene) => scene.show(state, previous, change));
 }

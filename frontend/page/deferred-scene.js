@@ -7,13 +7,13 @@
 
 /**
  * A scene whose code comes when it is first shown; what it has missed it is told then.
- * @param {string} id of the scene
+ * @param {(state: import("../state/url.js").PageState) => boolean} isShown
  * @param {() => Promise<(page: Page) => Scene>} load gives what mounts it
  * @param {Page} page
  * @param {(scene: Scene) => void} onMounted
  * @returns {Scene}
  */
-export function createDeferredScene(id, load, page, onMounted) {
+export function createDeferredScene(isShown, load, page, onMounted) {
   /** @type {Scene | null} */
   let scene = null;
   let isComing = false;
@@ -44,9 +44,9 @@ export function createDeferredScene(id, load, page, onMounted) {
     }
   }
 
-  /** @param {string} shown */
-  function openIfShown(shown) {
-    if (shown === id && !isComing) {
+  /** @param {import("../state/url.js").PageState} state */
+  function openIfShown(state) {
+    if (isShown(state) && !isComing) {
       open();
     }
   }
@@ -59,7 +59,7 @@ export function createDeferredScene(id, load, page, onMounted) {
       if (scene) {
         scene.show(state, previous, change);
       } else {
-        openIfShown(state.scene);
+        openIfShown(state);
       }
     },
 
@@ -82,7 +82,7 @@ export function createDeferredScene(id, load, page, onMounted) {
       if (scene) {
         scene.forget();
       } else {
-        openIfShown(page.present().scene);
+        openIfShown(page.present());
       }
     },
 

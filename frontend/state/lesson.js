@@ -29,11 +29,19 @@ import { BOUNCES, sameCollision, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js
  */
 
 /**
+ * What is to be guessed before the pictures of a step are shown: ε_t, or one of three sketches.
+ * @typedef {{kind: "gauge"}} GaugePrediction
+ * @typedef {object} SketchPrediction
+ * @property {"sketch"} kind
+ * @property {Record<string, string>} sketches of the velocity over time, as paths of an SVG
+ * @property {(seen: Seen) => string} came which of them came
+ *
  * @typedef {object} Step
  * @property {string} id
  * @property {string[]} look the panels in which to see it
  * @property {number} minutes in class
  * @property {Setting} setting
+ * @property {GaugePrediction | SketchPrediction} [prediction]
  * @property {Choice | Goal} question
  */
 
@@ -55,6 +63,18 @@ export const READINGS = {
   stepped: ({ shown }) => shown.epsilon_t,
   /** @param {Seen} seen */
   error: ({ shown }) => shown.error_bound,
+};
+
+/** Time runs to the right, 0 … 96, and the velocity up, its zero at 32. @type {SketchPrediction} */
+const TURNS = {
+  kind: "sketch",
+  sketches: {
+    rest: "M4 6C30 6 44 30 58 32H92",
+    once: "M4 6C34 6 46 52 68 54 78 55 86 50 92 48",
+    swings: "M4 6C22 6 26 54 40 54S58 12 68 12 84 44 92 46",
+  },
+  came: ({ exact: { reversals } }) =>
+    reversals === 0 ? "rest" : reversals === 1 ? "once" : "swings",
 };
 
 /** To which |ε_t| the surfaces count as stopped: some steps of a slider. */
@@ -82,6 +102,7 @@ export const STEPS = [
     look: ["force"],
     minutes: 5,
     setting: setting({ kappa: 4.5, mu_over_alpha: 1.4, gt_over_gn: 4 }),
+    prediction: { kind: "gauge" },
     question: {
       kind: "goal",
       steers: ["gt_over_gn"],
@@ -100,6 +121,7 @@ export const STEPS = [
     look: ["velocity"],
     minutes: 5,
     setting: setting({ kappa: 4.5, mu_over_alpha: 1.4, gt_over_gn: 1.5 }),
+    prediction: TURNS,
     question: {
       kind: "goal",
       steers: ["kappa"],
@@ -125,6 +147,7 @@ export const STEPS = [
     look: ["cut"],
     minutes: 8,
     setting: setting({ kappa: 10, mu_over_alpha: 1.4, gt_over_gn: 1 }),
+    prediction: { kind: "gauge" },
     question: {
       kind: "goal",
       steers: ["mu_over_alpha", "gt_over_gn"],
@@ -141,6 +164,7 @@ export const STEPS = [
     look: ["velocity", "cut"],
     minutes: 8,
     setting: setting({ kappa: 4.5, mu_over_alpha: 1.4, gt_over_gn: 0.2 }),
+    prediction: { kind: "gauge" },
     question: {
       kind: "goal",
       steers: ["kappa"],
@@ -203,7 +227,7 @@ export const STEPS = [
   },
   {
     id: "timestep",
-    look: ["result"],
+    look: ["overlay"],
     minutes: 8,
     setting: setting(STEPPED, {
       accuracy: { ...USUAL_ACCURACY, method: "timestep", steps: 20 },
@@ -244,17 +268,48 @@ export function stepOf(number) {
   return STEPS[Number(number) - 1];
 }
 
+/** From 1 on, as in the address. @param {Step} step */
+export function stepNumber(step) {
+  return String(STEPS.indexOf(step) + 1);
+}
+
+/**
+ * The controls that a step of the lesson asks to move; in other scenes, none.
+ * @param {Pick<PageState, "scene" | "step">} state
+ */
+export function steersOf({ scene, step }) {
+  const { question } = stepOf(step);
+  return scene === "lesson" && question.kind === "goal" ? question.steers : [];
+}
+
+/**
+ * Whether the steps of a method are shown over the exact force, as the lesson does, too.
+ * @param {Pick<PageState, "scene" | "step">} state
+ */
+export function showsSteps({ scene, step }) {
+  return scene === "accuracy" || (scene === "lesson" && stepOf(step).look.includes("overlay"));
+}
+
 /**
  * Where the texts of a step are found.
  * @param {Step} step
  */
-export function textsOf({ id, question }) {
+export function textsOf({ id, question, prediction }) {
   const at = `lesson.steps.${id}`;
   return {
     title: `${at}.title`,
     text: `${at}.text`,
     question: `${at}.question`,
     notes: { aim: `${at}.aim`, answer: `${at}.answer`, misconception: `${at}.misconception` },
+    ...(prediction ? { predict: `${at}.predict` } : {}),
+    sketches:
+      prediction?.kind === "sketch"
+        ? Object.entries(prediction.sketches).map(([sketch, path]) => ({
+            sketch,
+            path,
+            text: `${at}.sketches.${sketch}`,
+          }))
+        : [],
     options:
       question.kind === "choice"
         ? question.options.map((option) => ({

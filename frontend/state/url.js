@@ -50,6 +50,7 @@ const PAGE_WORDS = {
   },
   notes: ["hidden", "shown"],
   handout: ["hidden", "shown"],
+  face: ["usual", "plain", "expert"],
 };
 
 /** How ε_t is got; it stands in the address only where it is not the usual way. */
@@ -92,6 +93,8 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} lang the language of what is translated, or `system`
  * @property {"hidden" | "shown"} notes for teachers
  * @property {"hidden" | "shown"} handout of the lesson, in place of its pictures
+ * @property {"usual" | "plain" | "expert"} face of the page: plain, or with all that there is to see;
+ *   usual is the one that was last chosen in this browser
  * @property {import("./impact.js").Impact} impact of real spheres
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */

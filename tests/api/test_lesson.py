@@ -30,6 +30,75 @@ def test_three_turns_take_a_kappa_of_35(service):
     }
 
 
+def test_a_smaller_impact_turns_round_more_often_but_at_kappa_4_5_no_more_than_twice(service):
+    def turns(kappa):
+        impacts = (1.5, 1, 0.5, 0.2, 0.1, 0.05, 0.01)
+        answers = (
+            service.answer("/collision", kappa=kappa, mu_over_alpha=1.4, gt_over_gn=gt)
+            for gt in impacts
+        )
+        return [answer["reversals"] for answer in answers]
+
+    for kappa in (4.5, 10, 20, 34):
+        counts = turns(kappa)
+        assert counts == sorted(counts)
+        assert counts[-1] > counts[0]
+    assert max(turns(4.5)) == 2
+    assert max(turns(10)) == 3
+
+
+def test_a_smaller_impact_sticks_from_sooner_on(service):
+    first = [
+        service.answer("/collision", kappa=20, mu_over_alpha=1.4, gt_over_gn=gt)["episodes"][0]
+        for gt in (1.5, 1, 0.5, 0.1)
+    ]
+    ends = [episode["end"] for episode in first]
+    assert ends == sorted(ends, reverse=True)
+
+
+def test_the_force_follows_the_cap_while_sliding_and_is_below_it_while_sticking(service):
+    trace = service.answer("/trace", kappa=63, mu_over_alpha=1.4, gt_over_gn=1.358)
+    for regime, normal, tangential in zip(
+        trace["regime"],
+        trace["normal_force"],
+        trace["tangential_force_over_mu"],
+        strict=True,
+    ):
+        if regime == 0:
+            assert abs(tangential) <= normal + 1e-12
+        else:
+            assert abs(tangential) == pytest.approx(normal, abs=1e-12)
+
+
+def test_what_is_to_be_predicted_is_what_comes(service):
+    def of(kappa, gt):
+        return service.answer("/collision", kappa=kappa, mu_over_alpha=1.4, gt_over_gn=gt)
+
+    assert of(4.5, 4)["epsilon_t"] == pytest.approx(0.3)
+    assert of(4.5, 1.5)["reversals"] == 1
+    assert of(10, 1)["estimates"]["coulomb"] == 0
+    assert of(10, 1)["epsilon_t"] > 0.2
+    assert of(4.5, 0.2)["epsilon_t"] > 0.9
+
+
+def test_the_stiff_limit_falls_316_times_from_kappa_10_to_1000_along_the_cut(service):
+    cut = service.answer(
+        "/cut",
+        along="kappa",
+        mu_over_alpha=1.4,
+        gt_over_gn=1,
+        minimum=10,
+        maximum=1000,
+        count=3,
+        scale="log",
+        quantities="stiff_asymptote,stiff_bound",
+    )
+    first, _, last = cut["stiff_asymptote"]
+    assert first / last == pytest.approx(100**1.25, rel=1e-12)
+    assert cut["stiff_bound"][0] / cut["stiff_bound"][2] == pytest.approx(10, rel=1e-12)
+    assert all(a < b for a, b in zip(cut["stiff_asymptote"], cut["stiff_bound"], strict=True))
+
+
 @pytest.mark.parametrize(("mu", "gt"), [(1.4, 2.8), (0.5, 1)])
 def test_coulombs_law_is_exact_from_psi_2_on(service, mu, gt):
     exact = service.answer("/collision", kappa=10, mu_over_alpha=mu, gt_over_gn=gt)

@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
-from explorer import settle
+from explorer import ACQUAINTED, settle
 from playwright.sync_api import Browser, BrowserContext, Locator, Page, sync_playwright
 from record import report
 from rest import WATCH_SHIFTS, count_pending, layout_shift, rest
@@ -193,6 +193,8 @@ def open_context(browser: Browser) -> BrowserContext:
 
 def opened(browser: Browser, address: str, server: str) -> Page:
     page = open_context(browser).new_page()
+    # all views are there, and follow
+    page.add_init_script(ACQUAINTED)
     page.goto(address)
     settle(page, server)
     rest(page)

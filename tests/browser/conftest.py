@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from explorer import settle, visit
+from explorer import ACQUAINTED, settle, visit
 from playwright.sync_api import BrowserContext, BrowserType, Page, expect
 from rest import count_pending, rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
@@ -50,6 +50,7 @@ def kept_context(
     options = browser_type_launch_args | browser_context_args
     with browser_type.launch_persistent_context(folder, **options) as context:
         count_pending(context)
+        context.add_init_script(ACQUAINTED)
         yield context
 
 

@@ -12,6 +12,14 @@ from rest import eventually
 
 PARAMETERS = {"kappa": "kappa", "mu-over-alpha": "mu_over_alpha", "gt-over-gn": "gt_over_gn"}
 
+# What a visitor leaves behind who was here before, sent the hint away and chose to see everything.
+ACQUAINTED = """
+  if (location.protocol.startsWith("http")) {
+    localStorage.setItem("restitution.face", "expert");
+    localStorage.setItem("restitution.hint", "away");
+  }
+"""
+
 USUAL = {"kappa": "63", "mu_over_alpha": "1.4", "gt_over_gn": "1.358"}
 """Where the page begins."""
 
@@ -44,8 +52,8 @@ def texts(page: Page, *names: str) -> dict[str, str]:
 
 
 def number(shown: str) -> float:
-    """The number that a typeset one stands for; none where nothing is known yet."""
-    if shown == "–":
+    """The number that a typeset one stands for; none where nothing is known yet, or shown."""
+    if shown in {"–", ""}:
         return math.nan
     if "∞" in shown:
         return -math.inf if "−" in shown else math.inf

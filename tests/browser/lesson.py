@@ -42,6 +42,17 @@ STEPS: dict[str, tuple[Answer, str, Answer]] = {
     "timestep": ({"accuracy": 0}, "verdicts.sign", {"accuracy": 6}),
 }
 
+# How a goal is left again, where the wrong answer of before does not do it.
+LEAVES: dict[str, Answer] = {"collapse": {"gt-over-gn": 2.4}, "damping": {"damping": 0}}
+
+# What is predicted before the pictures are shown: an ε_t, or a sketch.
+PREDICTIONS: dict[str, float | str] = {
+    "stop": -0.5,
+    "reversal": "swings",
+    "coulomb": 0,
+    "gear": -0.75,
+}
+
 # Where the thumb stands for a value, as a share of the slider.
 SHARES: dict[str, Callable[[float], float]] = {
     "kappa": lambda value: math.log10(value / 0.1) / 4,
@@ -124,6 +135,32 @@ def by_keyboard(page: Page, answer: Answer) -> None:
             page.keyboard.press("Control+A")
             page.keyboard.type(str(value))
             page.keyboard.press("Enter")
+
+
+def predict_by_mouse(page: Page, guess: float | str) -> None:
+    if isinstance(guess, str):
+        page.locator(f"[data-sketch='{guess}']").click()
+        return
+    handle = page.get_by_test_id("predict-handle")
+    box = handle.bounding_box()
+    share = (guess + 1) / 2
+    handle.click(position={"x": 9 + share * (box["width"] - 18), "y": box["height"] / 2})
+    page.get_by_test_id("predict-commit").click()
+
+
+def predict_by_keyboard(page: Page, guess: float | str) -> None:
+    if isinstance(guess, str):
+        tab_to(page, f"[data-sketch='{guess}']")
+    else:
+        tab_to(page, "[data-testid='predict-handle']")
+        page.keyboard.press("Home")
+        for _ in range(round((guess + 1) / 0.05)):
+            page.keyboard.press("ArrowRight")
+        tab_to(page, "[data-testid='predict-commit']")
+    page.keyboard.press("Enter")
+
+
+PREDICTING = {"mouse": predict_by_mouse, "keyboard": predict_by_keyboard}
 
 
 def next_by_mouse(page: Page) -> None:

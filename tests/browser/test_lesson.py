@@ -6,6 +6,7 @@ import pytest
 from explorer import Witness, agrees, collision_of, settle, trace_of, visit
 from lesson import (
     HANDS,
+    PREDICTIONS,
     SHARES,
     STEPS,
     Texts,
@@ -44,6 +45,9 @@ def test_the_lesson_can_be_walked(
     done = 0
     for i, (step, (wrong, reason, right)) in enumerate(STEPS.items()):
         says(page, "lesson-title", texts.step(step, "title"))
+        if step in PREDICTIONS:
+            says(page, "predict-asked", texts.step(step, "predict"))
+            page.get_by_test_id("predict-anyway").click()
         says(page, "lesson-asked", texts.step(step, "question"))
         if step not in answered:
             turn(page)
@@ -80,6 +84,7 @@ def test_the_lesson_can_be_walked(
 
 def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, server: str):
     page.goto("/?scene=lesson&step=3")
+    page.get_by_test_id("predict-anyway").click()
     settle(page, server)
     start = collision_of(page)
     box = page.get_by_test_id("crosshair").bounding_box()
@@ -98,6 +103,7 @@ def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, 
 def test_a_goal_is_reached_where_one_lets_go_not_in_passing(page: Page, server: str):
     texts = Texts("en")
     page.goto("/?scene=lesson&step=3&lang=en")
+    page.get_by_test_id("predict-anyway").click()
     settle(page, server)
     slider = page.get_by_test_id("kappa-slider")
     box = slider.bounding_box()
@@ -137,13 +143,14 @@ def test_every_step_has_an_address_and_the_browser_turns_the_pages(page: Page, s
     says(page, "lesson-feedback", f"{texts.say('right')} {texts.step('switching', 'reasons.even')}")
     page.go_forward()
     says(page, "lesson-title", texts.step("coulomb", "title"))
-    settle(page, server)
+    rest(page)
     page.reload()
     says(page, "lesson-title", texts.step("coulomb", "title"))
     third = page.locator(".lesson-link").nth(2)
     assert "step=3" in third.get_attribute("href")
     page.goto(third.get_attribute("href"))
     says(page, "lesson-title", texts.step("reversal", "title"))
+    page.get_by_test_id("predict-anyway").click()
     settle(page, server)
     witness.assert_silence()
 

@@ -26,8 +26,8 @@ SPHERES = (
     *("radius_2_m", "density_2_kg_m3", "youngs_modulus_2_pa", "poisson_ratio_2"),
 )
 PAGE = (
-    *("scene", "step", "embed", "theme", "lang", "notes", "handout"),
-    *("map", "scale", "map_x", "map_y", "shape", "energy"),
+    *("scene", "step", "embed", "theme", "lang", "notes", "handout", "face"),
+    *("map", "scale", "map_x", "map_y", "shape", "energy", "cut_x", "cut_y"),
     *("region", "statistic", "wanted_error", "velocity_law", "velocity_scale"),
     *("paper_verdict", "paper_kind"),
 )

@@ -3,6 +3,7 @@
 import { errorMapQuery, steppedQuery, stepsQuery } from "../../api/queries.js";
 import { accuracyQuery, failingOf, inSteps } from "../../state/accuracy.js";
 import { createFollower, isSame } from "../../state/follower.js";
+import { showsSteps } from "../../state/lesson.js";
 import { axesFor, rowsOf } from "../../state/map-view.js";
 import { sameCollision } from "../../state/parameters.js";
 import { find } from "../../widgets/find.js";
@@ -141,13 +142,17 @@ export function mountAccuracy(page) {
 
   /** Once the exact force and the steps of one collision are here, whichever comes last. */
   function drawOverlay() {
-    if (trace && stepped && sameCollision(trace.parameters, stepped.collision)) {
+    const isShown = showsSteps(present());
+    if (isShown && trace && stepped && sameCollision(trace.parameters, stepped.collision)) {
       overlay.show(trace, stepped.answer);
     }
   }
 
   /** @param {PageState} state */
-  function followOverlay({ collision, accuracy }) {
+  function followOverlay({ collision, accuracy, ...state }) {
+    if (!showsSteps(state)) {
+      return;
+    }
     if (trace) {
       overlays.follow({ collision, accuracy: accuracyQuery(inSteps(accuracy)) });
     } else {
@@ -165,13 +170,15 @@ export function mountAccuracy(page) {
 
   return {
     show(state, previous) {
+      if (showsSteps(state)) {
+        overlay.options(state.accuracy);
+      }
       if (state.scene !== "accuracy") {
         return;
       }
       tradeoffPanel.options(state);
       calculator.options(state);
       errorMap.name(failingOf(state.accuracy));
-      overlay.options(state.accuracy);
       errorMap.point(state.collision);
       if (previous && LOOKS.tradeoff.some((key) => previous[key] !== state[key])) {
         drawTradeoff();
@@ -182,12 +189,14 @@ export function mountAccuracy(page) {
     },
 
     follow(state, previous, { dragging }) {
+      if (!dragging) {
+        followOverlay(state);
+      }
       if (state.scene !== "accuracy" || dragging) {
         return;
       }
       tradeoffs.follow(state.region);
       errorMaps.follow(errorMapWish(state, false, errorMaps.asked()));
-      followOverlay(state);
       followCalculator(state);
       codes.follow(state);
     },
@@ -197,12 +206,9 @@ export function mountAccuracy(page) {
       trace = answer.trace;
       afterNextFrame(() => {
         const state = present();
-        if (state.scene !== "accuracy") {
-          return;
-        }
         followOverlay(state);
         drawOverlay();
-        if (change.dragging) {
+        if (state.scene === "accuracy" && change.dragging) {
           errorMaps.follow(errorMapWish(state, true, errorMaps.asked()));
         }
       });

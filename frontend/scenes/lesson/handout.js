@@ -107,6 +107,7 @@ function stepOnPaper(step, number, withNotes, say, language) {
       make("span", "handout-link", addressOf(number, language)),
     ),
     told("p", "handout-text", say(keys.text)),
+    ...(keys.predict ? guessFirst(say(keys.predict), say("lesson.handout.guess")) : []),
     told("p", "handout-question", say(keys.question)),
   );
   if (step.question.kind === "choice") {
@@ -122,6 +123,15 @@ function stepOnPaper(step, number, withNotes, say, language) {
     part.append(teacherNotes(step, say));
   }
   return part;
+}
+
+/**
+ * What is to be written down before one looks.
+ * @param {string} prompt
+ * @param {string} name of the blank
+ */
+function guessFirst(prompt, name) {
+  return [told("p", "handout-text", prompt), make("p", "handout-blanks", ...blanks([name]))];
 }
 
 /**

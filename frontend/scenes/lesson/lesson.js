@@ -5,9 +5,11 @@ import { USUAL_ACCURACY } from "../../state/accuracy.js";
 import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
 import { writeAddress } from "../../state/url.js";
 import { make, told } from "../../widgets/elements.js";
+import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 import { mountHandout } from "./handout.js";
 import { mountLessonQuestion } from "./question.js";
+import { predictionSummary } from "./summary.js";
 import { teacherNotes } from "./teacher-notes.js";
 
 /**
@@ -20,8 +22,11 @@ import { teacherNotes } from "./teacher-notes.js";
  * @param {HTMLElement} element
  * @param {HTMLElement} handoutElement
  * @param {import("../scene.js").Page} page
+ * @param {object} kept what the lesson remembers, and covers
+ * @param {ReturnType<typeof import("./predictions.js").createPredictions>} kept.predictions
+ * @param {ReturnType<typeof import("./glass.js").mountGlass>} kept.glass
  */
-export function mountOpenLesson(element, handoutElement, { set }) {
+export function mountOpenLesson(element, handoutElement, { set }, { predictions, glass }) {
   const progress = make("p", "lesson-progress");
   const list = make("ol", "lesson-steps");
   const nav = make("nav", "lesson-contents", list);
@@ -31,6 +36,7 @@ export function mountOpenLesson(element, handoutElement, { set }) {
   const previous = button("lesson-previous", () => turn(-1));
   const again = button("lesson-again", () => go(present?.step ?? "1"));
   const next = button("lesson-next", () => turn(1));
+  const summary = make("section", "lesson-summary");
   const notes = make("aside", "lesson-notes");
   const notesBox = make("input", "");
   const notesLabel = make("span", "");
@@ -45,10 +51,19 @@ export function mountOpenLesson(element, handoutElement, { set }) {
   /** Whether the heading gets the focus, so that a reader goes on there. */
   let isTurning = false;
 
-  const question = mountLessonQuestion(questionElement, (step) => {
-    done.add(step);
-    drawProgress();
+  const question = mountLessonQuestion(questionElement, {
+    onDone(step) {
+      done.add(step);
+      drawProgress();
+    },
+    onPredict(step, guess) {
+      predictions.commit(step, guess);
+      glass.lay(false);
+      draw();
+    },
   });
+  const gaugeMark = make("span", "gauge-guess");
+  byTestId("gauge-mark").before(gaugeMark);
   const handout = mountHandout(handoutElement, () => {
     set({ handout: "hidden" });
     handoutButton.focus();
@@ -63,6 +78,7 @@ export function mountOpenLesson(element, handoutElement, { set }) {
   title.id = "lesson-title";
   progress.dataset.testid = "lesson-progress";
   notes.dataset.testid = "lesson-notes";
+  summary.dataset.testid = "lesson-summary";
   notesBox.type = "checkbox";
   notesBox.dataset.testid = "lesson-notes-switch";
   notesBox.addEventListener("change", () => {
@@ -76,6 +92,7 @@ export function mountOpenLesson(element, handoutElement, { set }) {
     text,
     questionElement,
     make("div", "lesson-turns", previous, again, next),
+    summary,
     notes,
     make(
       "div",
@@ -120,7 +137,8 @@ export function mountOpenLesson(element, handoutElement, { set }) {
       return;
     }
     const { step: number, notes: wish, handout: sheet, scene, theme } = present;
-    const wanted = JSON.stringify([number, wish, sheet, scene, theme]);
+    const isPending = predictions.isPending(present);
+    const wanted = JSON.stringify([number, wish, sheet, scene, theme, isPending]);
     if (wanted === drawn) {
       return;
     }
@@ -129,7 +147,12 @@ export function mountOpenLesson(element, handoutElement, { set }) {
     const keys = textsOf(step);
     typeset(title, say(keys.title));
     typeset(text, say(keys.text));
-    question.show(step, say, language);
+    if (isPending) {
+      question.ask(step);
+    } else {
+      question.show(step);
+    }
+    drawPrediction(step);
     for (const [part, key] of /** @type {const} */ ([
       [previous, "lesson.previous"],
       [again, "lesson.again"],
@@ -154,6 +177,18 @@ export function mountOpenLesson(element, handoutElement, { set }) {
     root.steers = step.question.kind === "goal" ? step.question.steers.join(" ") : "";
     drawProgress();
     handout.show(present, say, language);
+  }
+
+  /** What was predicted, and what came: of this step, and at the end of all. @param {Step} step */
+  function drawPrediction(step) {
+    const prediction = predictions.of(step);
+    const guess = prediction?.guess;
+    question.recall(step, prediction);
+    gaugeMark.hidden = typeof guess !== "number";
+    gaugeMark.style.setProperty("--place", String((Number(guess) + 1) / 2));
+    const all = step === STEPS.at(-1) ? predictions.all() : [];
+    summary.hidden = all.length === 0;
+    summary.replaceChildren(...(summary.hidden ? [] : predictionSummary(all)));
   }
 
   function drawProgress() {
@@ -187,6 +222,7 @@ export function mountOpenLesson(element, handoutElement, { set }) {
       present = state;
       if (state.scene !== "lesson") {
         handout.hide();
+        gaugeMark.hidden = true;
         drawn = "";
         return;
       }
@@ -207,7 +243,11 @@ export function mountOpenLesson(element, handoutElement, { set }) {
      */
     settle({ result, trace }, dragging) {
       if (present?.scene === "lesson" && trace) {
-        question.settle({ state: present, exact: trace, shown: result }, dragging);
+        const seen = { state: present, exact: trace, shown: result };
+        const step = stepOf(present.step);
+        predictions.note(step, seen);
+        question.settle(seen, dragging);
+        question.recall(step, predictions.of(step));
       }
     },
   };

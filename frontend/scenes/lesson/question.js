@@ -1,40 +1,42 @@
 // @ts-check
 
-import { ABSENT } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { sameAccuracy } from "../../state/accuracy.js";
 import { READINGS, textsOf } from "../../state/lesson.js";
 import { sameCollision } from "../../state/parameters.js";
 import { make } from "../../widgets/elements.js";
 import { typeset } from "../../widgets/typeset.js";
+import { inDigits } from "./digits.js";
+import { inWords, predictionForm } from "./prediction-form.js";
+import { isAtStart } from "./predictions.js";
 
 /**
  * @typedef {import("../../state/lesson.js").Step} Step
  * @typedef {import("../../state/lesson.js").Seen} Seen
  * @typedef {import("../../state/url.js").PageState} PageState
- * @typedef {import("../../format/words.js").Say} Say
  */
 
 /**
- * The question of a step: options to choose from, or a goal for the collision. What was answered is
- * remembered as long as the page is open.
+ * The question of a step: options to choose from, or a goal for the collision; before it, in some, what
+ * is to be predicted. What was answered is remembered as long as the page is open.
  * @param {HTMLElement} element
- * @param {(step: Step) => void} onDone
+ * @param {object} handlers
+ * @param {(step: Step) => void} handlers.onDone
+ * @param {(step: Step, guess: import("./predictions.js").Prediction["guess"]) => void} handlers.onPredict
  */
-export function mountLessonQuestion(element, onDone) {
+export function mountLessonQuestion(element, { onDone, onPredict }) {
   const text = make("p", "lesson-asked");
+  const guess = make("p", "lesson-guess");
   const answers = make("div", "lesson-answers");
   const verdict = make("strong", "");
   const reason = make("span", "");
   const feedback = make("p", "lesson-feedback", verdict, " ", reason);
   /** The options chosen so far, the last one last. @type {Map<Step, string[]>} */
   const chosen = new Map();
-  /** The goals that were reached. @type {Set<Step>} */
+  /** The goals that were reached once. What is said is of the present collision. @type {Set<Step>} */
   const reached = new Set();
   /** @type {Step | null} */
   let step = null;
-  /** @type {Say | null} */
-  let say = null;
-  let language = "";
   /** What the server has last said, and of what. @type {Seen | null} */
   let seen = null;
   /** @type {PageState | null} */
@@ -46,9 +48,9 @@ export function mountLessonQuestion(element, onDone) {
   answers.dataset.testid = "lesson-answers";
   feedback.dataset.testid = "lesson-feedback";
   feedback.setAttribute("role", "status");
+  text.tabIndex = -1;
+  guess.dataset.testid = "lesson-guess";
   element.setAttribute("role", "group");
-  element.setAttribute("aria-labelledby", text.id);
-  element.replaceChildren(text, answers, feedback);
 
   /**
    * @param {"right" | "wrong" | "there" | "open"} kind
@@ -63,9 +65,8 @@ export function mountLessonQuestion(element, onDone) {
 
   /**
    * @param {Step} asked
-   * @param {Say} speak
    */
-  function drawOptions(asked, speak) {
+  function drawOptions(asked) {
     const { question } = asked;
     if (question.kind !== "choice") {
       return;
@@ -76,13 +77,13 @@ export function mountLessonQuestion(element, onDone) {
       const button = optionButton(option);
       const isRight = option === question.right;
       const isTried = tried.includes(option);
-      typeset(/** @type {HTMLElement} */ (button.lastElementChild), speak(key));
+      typeset(/** @type {HTMLElement} */ (button.lastElementChild), say(key));
       button.ariaPressed = String(option === last);
       button.toggleAttribute("data-tried", isTried);
       button.dataset.kind = isTried ? (isRight ? "right" : "wrong") : "open";
       if (option === last) {
-        const head = speak(isRight ? "lesson.right" : "lesson.wrong");
-        tell(isRight ? "right" : "wrong", head, speak(why));
+        const head = say(isRight ? "lesson.right" : "lesson.wrong");
+        tell(isRight ? "right" : "wrong", head, say(why));
       }
     }
     if (!last) {
@@ -108,11 +109,11 @@ export function mountLessonQuestion(element, onDone) {
 
   /** @param {string} option */
   function choose(option) {
-    if (!step || !say || step.question.kind !== "choice") {
+    if (!step || step.question.kind !== "choice") {
       return;
     }
     chosen.set(step, [...(chosen.get(step) ?? []), option]);
-    drawOptions(step, say);
+    drawOptions(step);
     if (option === step.question.right) {
       onDone(step);
     }
@@ -121,26 +122,25 @@ export function mountLessonQuestion(element, onDone) {
 
   /** How far the present collision is from the goal. */
   function judge() {
-    if (!step || !say || step.question.kind !== "goal") {
+    if (!step || step.question.kind !== "goal") {
       return;
     }
     const { question } = step;
     const isSeen = seen !== null && present !== null && isOf(seen, present);
     if (isSeen && seen) {
-      drawReadings(question.readings, seen, say);
+      drawReadings(question.readings, seen);
     }
     const { verdicts } = textsOf(step);
     const outcome = isSeen && seen ? question.judge(seen) : "";
-    if (outcome === "met" && !isDragging && !reached.has(step)) {
+    if (outcome === "met" && isDragging) {
+      tell("there", say("lesson.there"), "");
+    } else if (outcome === "met") {
       reached.add(step);
       onDone(step);
-    }
-    if (reached.has(step)) {
       tell("right", say("lesson.reached"), say(verdicts.met));
-    } else if (outcome === "met") {
-      tell("there", say("lesson.there"), "");
-    } else if (outcome && present && isMoved(step, present)) {
-      tell("wrong", say("lesson.notYet"), say(verdicts[outcome]));
+    } else if (outcome && present && !isAtStart(step, present)) {
+      const head = reached.has(step) ? "lesson.noLonger" : "lesson.notYet";
+      tell("wrong", say(head), say(verdicts[outcome]));
     } else {
       tell("open", "", say("lesson.try"));
     }
@@ -149,40 +149,73 @@ export function mountLessonQuestion(element, onDone) {
   /**
    * @param {(keyof typeof READINGS)[]} names
    * @param {Seen} now
-   * @param {Say} speak
    */
-  function drawReadings(names, now, speak) {
+  function drawReadings(names, now) {
     for (const [i, name] of names.entries()) {
       const there = answers.children[i] ?? answers.appendChild(make("span", "lesson-reading"));
-      const value = inDigits(READINGS[name](now), language);
-      typeset(/** @type {HTMLElement} */ (there), speak(`lesson.readings.${name}`, { value }));
+      const value = inDigits(READINGS[name](now));
+      typeset(/** @type {HTMLElement} */ (there), say(`lesson.readings.${name}`, { value }));
     }
   }
 
   return {
     /**
+     * What is to be predicted, in place of the question.
      * @param {Step} next
-     * @param {Say} speak
-     * @param {string} spoken its language
      */
-    show(next, speak, spoken) {
+    ask(next) {
+      step = null;
+      const commit = (/** @type {import("./predictions.js").Prediction["guess"]} */ made) => {
+        onPredict(next, made);
+        text.focus();
+      };
+      const form = predictionForm(next, commit);
+      element.dataset.kind = "prediction";
+      element.dataset.verdict = "open";
+      element.setAttribute("aria-labelledby", "predict-asked");
+      element.replaceChildren(form);
+    },
+
+    /**
+     * What was predicted, if anything was.
+     * @param {Step} of
+     * @param {import("./predictions.js").Prediction | null} prediction
+     */
+    recall(of, prediction) {
+      const isMade = prediction !== null && prediction.guess !== null;
+      guess.hidden = !isMade;
+      if (isMade) {
+        const [thought, came] = [prediction.guess, prediction.came].map((value) =>
+          value === null ? "…" : inWords(of, value),
+        );
+        typeset(guess, say("lesson.predict.recall", { guess: thought, came }));
+      }
+    },
+
+    /**
+     * @param {Step} next
+     */
+    show(next) {
       const isAnother = next !== step;
       step = next;
-      say = speak;
-      language = spoken;
       element.dataset.kind = step.question.kind;
+      element.setAttribute("aria-labelledby", text.id);
+      if (text.parentElement !== element) {
+        element.replaceChildren(text, guess, answers, feedback);
+      }
       typeset(text, say(textsOf(step).question));
       if (isAnother) {
         answers.replaceChildren();
         tell("open", "", "");
       }
-      drawOptions(step, say);
+      drawOptions(step);
       judge();
     },
 
     /** @param {PageState} state */
     follow(state) {
       present = state;
+      feedback.toggleAttribute("data-stale", seen !== null && !isOf(seen, state));
     },
 
     /**
@@ -192,6 +225,7 @@ export function mountLessonQuestion(element, onDone) {
     settle(now, dragging) {
       seen = now;
       isDragging = dragging;
+      feedback.removeAttribute("data-stale");
       judge();
     },
   };
@@ -208,32 +242,3 @@ function isOf(seen, state) {
     sameAccuracy(seen.state.accuracy, state.accuracy)
   );
 }
-
-/**
- * Whether something has been changed since the step began.
- * @param {Step} step
- * @param {PageState} state
- */
-function isMoved({ setting }, { collision, accuracy }) {
-  return !sameCollision(setting.collision, collision) || !sameAccuracy(setting.accuracy, accuracy);
-}
-
-/**
- * A number as it is written in a language, with a real minus sign.
- * @param {number | null} value
- * @param {string} language
- */
-function inDigits(value, language) {
-  if (value === null) {
-    return ABSENT;
-  }
-  const digits = new Intl.NumberFormat(language, {
-    maximumSignificantDigits: 4,
-    // 37.200 on its own might be 37.2.
-    useGrouping: false,
-  });
-  return digits.format(Math.abs(value) < ROUNDED_AWAY ? 0 : value).replace("-", "\u2212");
-}
-
-/** Below this a reading is shown as 0. */
-const ROUNDED_AWAY = 1e-12;

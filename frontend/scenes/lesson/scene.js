@@ -1,7 +1,9 @@
 // @ts-check
 
 import { byTestId } from "../../widgets/find.js";
+import { mountGlass } from "./glass.js";
 import { mountOpenLesson } from "./lesson.js";
+import { createPredictions } from "./predictions.js";
 
 /**
  * The scene "Lesson", beside the pictures of the explorer.
@@ -9,10 +11,18 @@ import { mountOpenLesson } from "./lesson.js";
  * @returns {import("../scene.js").Scene}
  */
 export function mountLesson(page) {
-  const lesson = mountOpenLesson(byTestId("lesson"), byTestId("handout"), page);
+  const predictions = createPredictions();
+  const glass = mountGlass();
+  const lesson = mountOpenLesson(byTestId("lesson"), byTestId("handout"), page, {
+    predictions,
+    glass,
+  });
 
   return {
-    show: lesson.show,
+    show(state) {
+      glass.lay(predictions.isPending(state));
+      lesson.show(state);
+    },
 
     // It asks for no more than the collision.
     follow() {},

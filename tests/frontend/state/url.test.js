@@ -35,6 +35,7 @@ const USUAL = {
   lang: "system",
   notes: "hidden",
   handout: "hidden",
+  face: "usual",
   impact: impactOf("steel"),
 };
 
@@ -90,6 +91,7 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       lang: ["system", "en", "de"][i % 3],
       notes: i % 2 ? "hidden" : "shown",
       handout: i % 4 ? "hidden" : "shown",
+      face: ["usual", "plain", "expert"][i % 3],
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
         inertia: i % 8 > 3 ? null : "hollow",

@@ -4,6 +4,7 @@ import { CUT_MARGIN } from "../../../figures/plot-area.js";
 import { valueAt } from "../../../figures/sample.js";
 import { significant } from "../../../format/number.js";
 import { PLAIN_SYMBOLS } from "../../../format/symbols.js";
+import { say } from "../../../format/words.js";
 import { axesInWords, axesMuOverAlpha, heightOf, placeOnCut } from "../../../state/map-view.js";
 import { lettersOf } from "../../../state/presets.js";
 import { clamp, placeWithin } from "../../../state/scales.js";
@@ -88,7 +89,7 @@ export function mountCut(element, { onPlace, onOption }) {
   function draw(quickly) {
     if (shown) {
       plot.show({ ...shown, vertical, letters, most }, quickly);
-      find(".stiff-limit-key", element).hidden = !hasStiffLimit(shown.cut);
+      find(".stiff-limit-key", element).toggleAttribute("data-absent", !hasStiffLimit(shown.cut));
       plotElement.setAttribute("aria-label", described(shown, vertical));
     }
   }
@@ -130,7 +131,7 @@ export function mountCut(element, { onPlace, onOption }) {
       chosen = wanted;
       const impact = map_y === "psi" ? "ψ" : PLAIN_SYMBOLS.gt_over_gn;
       choose(element, { cut_x, cut_y });
-      typeset(title, `Cut at this ${cut_x === "kappa" ? impact : PLAIN_SYMBOLS.kappa}`);
+      typeset(title, say("cut.title", { held: cut_x === "kappa" ? impact : PLAIN_SYMBOLS.kappa }));
       typeset(byTestId("cut-over-impact", element), impact);
       find(".negative-key", element).hidden = cut_y !== "log";
       vertical = cut_y;
@@ -194,8 +195,12 @@ function isOf({ view, along, held, muOverAlpha }, collision) {
  * @param {ShownCut["vertical"]} vertical
  */
 function described({ along, held, view }, vertical) {
+  const isOverKappa = along === "kappa";
   const impact = view.vertical === "psi" ? "ψ" : PLAIN_SYMBOLS.gt_over_gn;
-  const [over, at] = along === "kappa" ? ["κ", PLAIN_SYMBOLS.gt_over_gn] : [impact, "κ"];
-  const what = vertical === "log" ? "Magnitude of the coefficient" : "Coefficient";
-  return `${what} of tangential restitution over ${over} at ${at} = ${held}, with Coulomb's law and the limits of a stiff spring; the slider of ${along === "kappa" ? "κ" : PLAIN_SYMBOLS.gt_over_gn} moves the mark.`;
+  return say(`cut.described.${vertical}`, {
+    over: isOverKappa ? PLAIN_SYMBOLS.kappa : impact,
+    held: isOverKappa ? PLAIN_SYMBOLS.gt_over_gn : PLAIN_SYMBOLS.kappa,
+    value: held,
+    slider: PLAIN_SYMBOLS[along],
+  });
 }

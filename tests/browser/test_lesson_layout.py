@@ -1,0 +1,169 @@
+"""What a step of the lesson needs is in a projector's window, and nothing hides it on a phone."""
+
+import pytest
+from explorer import settle
+from lesson import LANGUAGES, PREDICTIONS, STEPS, Texts, says
+from playwright.sync_api import Browser, Page, expect
+from rest import rest
+
+from cases import every_day
+
+pytestmark = pytest.mark.browser
+
+# Where each goal is reached: its longest answer is on the page.
+REACHED = {
+    "stop": "gt_over_gn=2.8",
+    "reversal": "kappa=63",
+    "coulomb": "gt_over_gn=3.2",
+    "gear": "kappa=0.96",
+    "collapse": "mu_over_alpha=2.8&gt_over_gn=1.4",
+    "damping": "damping=0.2",
+    "timestep": "steps=500",
+}
+
+# The parts of the present step that reach out of the window.
+BEYOND = """() => {
+  const root = document.documentElement.dataset;
+  const looks = root.look.split(" ").map((panel) => `[data-panel="${panel}"]`);
+  const steered = (root.steers ? root.steers.split(" ") : []).map((key) => key === "steps"
+    ? "[data-testid=accuracy-slider]"
+    : `[data-parameter="${key.replaceAll("_", "-")}"]`);
+  const needed = [
+    ".lesson-title", ".lesson-text", ".lesson-question", ".lesson-turns",
+    "[data-testid=epsilon-t]", "[data-testid=summary]", ...looks, ...steered,
+  ];
+  return needed.flatMap((selector) => {
+    const box = document.querySelector(selector).getBoundingClientRect();
+    const isIn = box.width > 0 && box.top >= 0 && box.left >= 0
+      && box.bottom <= innerHeight && box.right <= innerWidth;
+    return isIn ? [] : [`${selector}: ${Math.round(box.top)} to ${Math.round(box.bottom)}`];
+  });
+}"""
+
+
+@pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
+def test_all_that_a_step_needs_is_in_the_window_of_a_projector(
+    page: Page, server: str, language: str
+):
+    texts = Texts(language)
+    page.set_viewport_size({"width": 1280, "height": 720})
+    beyond = {}
+    for i, (step, (_, _, right)) in enumerate(STEPS.items()):
+        page.goto(f"/?scene=lesson&step={i + 1}&lang={language}")
+        says(page, "lesson-title", texts.step(step, "title"))
+        if step in PREDICTIONS:
+            rest(page)
+            beyond[f"{step}, covered"] = page.evaluate(BEYOND)
+            page.get_by_test_id("predict-anyway").click()
+        settle(page, server)
+        if isinstance(right, str):
+            for option in page.locator(".lesson-option").all():
+                option.click()
+                name = f"{step}, {option.get_attribute('data-option')}"
+                beyond[name] = page.evaluate(BEYOND)
+        else:
+            page.goto(f"/?scene=lesson&step={i + 1}&lang={language}&{REACHED[step]}")
+            settle(page, server)
+            said = f"{texts.say('reached')} {texts.step(step, 'verdicts.met')}"
+            says(page, "lesson-feedback", said)
+            rest(page)
+            beyond[f"{step}, reached"] = page.evaluate(BEYOND)
+    assert {where: parts for where, parts in beyond.items() if parts} == {}
+
+
+# What lies at the middle of an element, or hides it.
+ON_TOP = """(element) => {
+  element.scrollIntoView({block: "nearest"});
+  const {left, top, width, height} = element.getBoundingClientRect();
+  return [0.1, 0.5, 0.9].every((share) => {
+    const there = document.elementFromPoint(left + width / 2, top + share * height);
+    return element.contains(there);
+  });
+}"""
+
+
+@pytest.mark.parametrize("step", every_day([2, 7], of=[1, 2, 3, 4, 5, 6, 7]))
+def test_on_a_phone_nothing_lies_over_an_answer(page: Page, step: int):
+    page.set_viewport_size({"width": 390, "height": 844})
+    page.goto(f"/?scene=lesson&step={step}&lang=de")
+    expect(page.get_by_test_id("lesson-title")).not_to_be_empty()
+    rest(page)
+    answers = page.locator(".lesson-question button:visible, .predict-handle").all()
+    assert answers
+    assert [answer.evaluate(ON_TOP) for answer in answers] == [True] * len(answers)
+
+
+def test_a_first_visit_sees_the_plain_face_and_who_wants_all_finds_it_again(
+    browser: Browser, server: str
+):
+    views = [".velocity", ".cut-panel", "[data-testid=method]", "[data-testid=switches]"]
+    always = ["[data-testid=epsilon-t]", "[data-testid=summary]", "#controls", ".force", ".contact"]
+
+    def shown(page: Page, selectors: list[str]) -> list[bool]:
+        return [page.locator(selector).first.is_visible() for selector in selectors]
+
+    with browser.new_context(base_url=server, reduced_motion="reduce") as context:
+        page = context.new_page()
+        page.goto("/")
+        settle(page, server)
+        assert shown(page, [*always, ".map-panel"]) == [True] * 6
+        assert shown(page, views) == [False] * 4
+        assert "face" not in page.url
+        page.get_by_test_id("face").click()
+        assert shown(page, [*always, *views]) == [True] * 9
+        assert "face=expert" in page.url
+        # another visit, and the lesson, which begins plain
+        again = context.new_page()
+        again.goto("/")
+        settle(again, server)
+        assert shown(again, views) == [True] * 4
+        again.goto("/?face=plain")
+        settle(again, server)
+        assert shown(again, views) == [False] * 4
+        again.goto("/?scene=lesson&step=1")
+        settle(again, server)
+        assert shown(again, views) == [False] * 4
+        again.goto("/?scene=lesson&step=1&face=expert")
+        settle(again, server)
+        assert shown(again, views) == [True] * 4
+        # where the number is not the usual one, the way it is got is shown
+        again.goto("/?face=plain&method=coulomb")
+        settle(again, server)
+        assert shown(again, views) == [False, False, True, False]
+
+
+def test_the_hint_of_a_first_visit_is_sent_away_for_good(browser: Browser, server: str):
+    with browser.new_context(base_url=server, reduced_motion="reduce") as context:
+        page = context.new_page()
+        hint = page.get_by_test_id("hint")
+        page.goto("/")
+        expect(hint).to_be_visible()
+        page.goto("/?embed=force")
+        expect(hint).to_be_hidden()
+        page.goto("/")
+        hint.get_by_role("button").click()
+        expect(hint).to_be_hidden()
+        page.reload()
+        settle(page, server)
+        expect(hint).to_be_hidden()
+
+
+def test_a_frame_that_may_keep_nothing_shows_and_switches_all_the_same(
+    browser: Browser, server: str
+):
+    words: list[str] = []
+    with browser.new_context(base_url=server, reduced_motion="reduce") as context:
+        page = context.new_page()
+        page.on("pageerror", lambda error: words.append(str(error)))
+        page.add_init_script("""Object.defineProperty(window, "localStorage", {
+          get() { throw new DOMException("not here", "SecurityError"); },
+        });""")
+        page.goto("/")
+        settle(page, server)
+        page.get_by_test_id("hint").get_by_role("button").click()
+        expect(page.get_by_test_id("hint")).to_be_hidden()
+        page.get_by_test_id("face").click()
+        expect(page.locator(".velocity")).to_be_visible()
+        page.get_by_test_id("face").click()
+        expect(page.locator(".velocity")).to_be_hidden()
+    assert words == []
