@@ -22,7 +22,7 @@ OFF = {
 }
 """Refused unless a setting allows it."""
 
-NESTED = {"POST /api/v1/scaling", "POST /api/v1/scaling/map"}
+NESTED = {"POST /api/v1/scaling", "POST /api/v1/scaling/map", "POST /api/v1/codes"}
 """Ten random bodies may all miss what must suit each other; the many more of `make verify` do
 not, and examples of both are answered in every run."""
 

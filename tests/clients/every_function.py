@@ -3,6 +3,8 @@
 mypy checks it strictly, as a user's own script; a test runs it.
 """
 
+from typing import Any
+
 import numpy as np
 import numpy.typing as npt
 import pandas as pd
@@ -71,18 +73,24 @@ def reports() -> None:
 
 
 def refused() -> None:
-    """Meet the errors: both are of one kind."""
+    """Meet the errors: all are of one kind."""
     errors: list[rs.RestitutionError] = []
     try:
         rs.epsilon_t(-1.0, 1.4, 0.5)
     except rs.ParameterError as error:
         errors.append(error)
-        assert error.parameter == "kappa[0]"
+        assert error.parameter == "kappa"
     try:
         rs.epsilon_t(1e12, 1.0, 1.0)
     except rs.CostError as error:
         errors.append(error)
-    assert len(errors) == 2
+    wrong: dict[str, Any] = {"kapa": 1.0}
+    try:
+        rs.epsilon_t(1.0, 1.4, 0.5, **wrong)
+    except rs.UnknownParameterError as error:
+        errors.append(error)
+        assert error.meant == "kappa"
+    assert len(errors) == 3
 
 
 def shown(server: str) -> None:

@@ -28,6 +28,7 @@ WORDS = {
     "∫": "integral",
     "∏": "product",
     "≈": "~",
+    "∝": "proportional to",
     "≤": "<=",
     "≥": ">=",
     "≪": "<<",

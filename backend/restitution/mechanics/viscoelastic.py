@@ -34,12 +34,11 @@ def scaled_stiffness(contact: Viscoelastic, kappa: float) -> float:
 def expected_switches(contact: Viscoelastic, kappa: float, psi: float) -> float:
     """Return about how many switches a collision has, rather too many than too few.
 
-    Of those that slide from the start to the end, or all but that, three is the most seen. Others
-    crowd between the end of the contact and the earlier of two instants: when the cap has
+    They crowd between the end of the contact and the earlier of two instants: when the cap has
     fallen to the spring's amplitude, and when the first sliding can have ended.
     """
     if psi >= contact.impulse or psi == 0.0:
-        return 4.0
+        return 5.0
     omega = math.sqrt(scaled_stiffness(contact, kappa))
     most: float = 5.0 + 2.0 * omega * contact.duration / math.pi
     if most < FEW:
