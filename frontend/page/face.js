@@ -3,8 +3,8 @@
 import { say } from "../format/words.js";
 import { sameAccuracy, USUAL_ACCURACY } from "../state/accuracy.js";
 import { steersOf } from "../state/lesson.js";
+import { ofVisits } from "../state/memory.js";
 import { byTestId } from "../widgets/find.js";
-import { recall, remember } from "./memory.js";
 
 /** @typedef {import("../state/url.js").PageState} PageState */
 
@@ -24,7 +24,7 @@ export function mountFace(onOption) {
 
   button.addEventListener("click", () => {
     const face = isPlain ? "expert" : "plain";
-    remember("face", face);
+    ofVisits.remember("face", face);
     onOption({ face });
   });
 
@@ -46,7 +46,7 @@ export function mountFace(onOption) {
 
 /** @param {string} scene */
 function usualFace(scene) {
-  return scene !== "lesson" && recall("face") === "expert" ? "expert" : "plain";
+  return scene !== "lesson" && ofVisits.recall("face") === "expert" ? "expert" : "plain";
 }
 
 /**

@@ -1,19 +1,19 @@
 // @ts-check
 
+import { ofVisits } from "../state/memory.js";
 import { byTestId, find } from "../widgets/find.js";
-import { recall, remember } from "./memory.js";
 
 /**
  * What to try first, said until it is sent away.
  */
 export function mountFirstHint() {
   const element = byTestId("hint");
-  let isAway = recall("hint") === "away";
+  let isAway = ofVisits.recall("hint") === "away";
 
   find("button", element).addEventListener("click", () => {
     isAway = true;
     element.hidden = true;
-    remember("hint", "away");
+    ofVisits.remember("hint", "away");
     find("#controls").focus({ preventScroll: true });
   });
 

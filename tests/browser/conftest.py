@@ -136,6 +136,8 @@ def used_tab(kept_tab: Page, request: pytest.FixtureRequest) -> Iterator[Page]:
     rest(kept_tab)
     yield kept_tab
     leave_as_found(kept_tab)
-    kept_tab.evaluate("() => { document.activeElement.blur(); scrollTo(0, 0); }")
+    kept_tab.evaluate(
+        "() => { document.activeElement.blur(); scrollTo(0, 0); sessionStorage.clear(); }"
+    )
     if request.node.stash.get(FAILED, False):
         kept_tab.goto("/")

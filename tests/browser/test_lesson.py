@@ -186,6 +186,7 @@ def test_a_reader_of_german_is_taught_in_german(browser: Browser, server: str):
 def test_the_language_can_be_switched_at_any_time(used_tab: Page, server: str, hand: str):
     visit(used_tab, "/?scene=lesson&step=4&lang=en")
     says(used_tab, "lesson-title", Texts("en").step("switching", "title"))
+    used_tab.locator("[data-option='odd']").click()
     if hand == "mouse":
         used_tab.get_by_test_id("language").select_option("de")
     else:
@@ -193,6 +194,8 @@ def test_the_language_can_be_switched_at_any_time(used_tab: Page, server: str, h
         used_tab.keyboard.type("Deutsch")
     german = Texts("de")
     says(used_tab, "lesson-title", german.step("switching", "title"))
+    said = f"{german.say('wrong')} {german.step('switching', 'reasons.odd')}"
+    says(used_tab, "lesson-feedback", said)
     expect(used_tab.locator("html")).to_have_attribute("lang", "de")
     assert "lang=de" in used_tab.url
     used_tab.go_back()

@@ -23,10 +23,11 @@ import { teacherNotes } from "./teacher-notes.js";
  * @param {HTMLElement} handoutElement
  * @param {import("../scene.js").Page} page
  * @param {object} kept what the lesson remembers, and covers
+ * @param {ReturnType<typeof import("./record.js").createRecord>} kept.record
  * @param {ReturnType<typeof import("./predictions.js").createPredictions>} kept.predictions
  * @param {ReturnType<typeof import("./glass.js").mountGlass>} kept.glass
  */
-export function mountOpenLesson(element, handoutElement, { set }, { predictions, glass }) {
+export function mountOpenLesson(element, handoutElement, { set }, { record, predictions, glass }) {
   const progress = make("p", "lesson-progress");
   const list = make("ol", "lesson-steps");
   const nav = make("nav", "lesson-contents", list);
@@ -42,8 +43,6 @@ export function mountOpenLesson(element, handoutElement, { set }, { predictions,
   const notesLabel = make("span", "");
   const handoutButton = button("lesson-handout", () => set({ handout: "shown" }));
   const { links, marks } = stepLinks();
-  /** The steps whose question has been answered. @type {Set<Step>} */
-  const done = new Set();
   /** @type {PageState | null} */
   let present = null;
   const language = spokenLanguage();
@@ -51,11 +50,8 @@ export function mountOpenLesson(element, handoutElement, { set }, { predictions,
   /** Whether the heading gets the focus, so that a reader goes on there. */
   let isTurning = false;
 
-  const question = mountLessonQuestion(questionElement, {
-    onDone(step) {
-      done.add(step);
-      drawProgress();
-    },
+  const question = mountLessonQuestion(questionElement, record, {
+    onDone: drawProgress,
     onPredict(step, guess) {
       predictions.commit(step, guess);
       glass.lay(false);
@@ -195,7 +191,8 @@ export function mountOpenLesson(element, handoutElement, { set }, { predictions,
     if (!present) {
       return;
     }
-    const values = { step: present.step, count: done.size, of: STEPS.length };
+    const done = STEPS.filter((step) => record.of(step).isDone);
+    const values = { step: present.step, count: done.length, of: STEPS.length };
     typeset(progress, say("lesson.progress", values));
     for (const [i, step] of STEPS.entries()) {
       const number = String(i + 1);
@@ -203,13 +200,13 @@ export function mountOpenLesson(element, handoutElement, { set }, { predictions,
       const state = { ...present, step: number, ...step.setting };
       const named = say("lesson.step", { step: number, title: say(textsOf(step).title) });
       links[i].href = writeAddress(state);
-      links[i].toggleAttribute("data-done", done.has(step));
+      links[i].toggleAttribute("data-done", done.includes(step));
       if (isHere) {
         links[i].setAttribute("aria-current", "step");
       } else {
         links[i].removeAttribute("aria-current");
       }
-      const label = done.has(step) ? say("lesson.stepDone", { name: named }) : named;
+      const label = done.includes(step) ? say("lesson.stepDone", { name: named }) : named;
       links[i].setAttribute("aria-label", label);
       links[i].title = label;
       marks[i].textContent = number;

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { sameAccuracy } from "../../state/accuracy.js";
-import { stepOf } from "../../state/lesson.js";
+import { stepOf, STEPS } from "../../state/lesson.js";
 import { sameCollision } from "../../state/parameters.js";
 
 /**
@@ -16,10 +16,11 @@ import { sameCollision } from "../../state/parameters.js";
  * @typedef {{guess: number | string | null, came: number | string | null}} Prediction
  */
 
-/** The predictions of a lesson, remembered as long as the page is open. */
-export function createPredictions() {
-  /** @type {Map<Step, Prediction>} */
-  const made = new Map();
+/**
+ * The predictions of a lesson.
+ * @param {ReturnType<typeof import("./record.js").createRecord>} record
+ */
+export function createPredictions(record) {
   /** What the server has last said of where a step starts. @type {Map<Step, number | string>} */
   const starts = new Map();
 
@@ -31,23 +32,27 @@ export function createPredictions() {
         state.scene === "lesson" &&
         state.embed === "none" &&
         step.prediction !== undefined &&
-        !made.has(step) &&
+        !record.of(step).prediction &&
         isAtStart(step, state)
       );
     },
 
     /** @param {Step} step */
-    of: (step) => made.get(step) ?? null,
+    of: (step) => record.of(step).prediction,
 
     /** All of them, in the order of the lesson. */
-    all: () => [...made].map(([step, prediction]) => ({ step, ...prediction })),
+    all: () =>
+      STEPS.flatMap((step) => {
+        const { prediction } = record.of(step);
+        return prediction ? [{ step, ...prediction }] : [];
+      }),
 
     /**
      * @param {Step} step
      * @param {Prediction["guess"]} guess
      */
     commit(step, guess) {
-      made.set(step, { guess, came: starts.get(step) ?? null });
+      record.note(step, { prediction: { guess, came: starts.get(step) ?? null } });
     },
 
     /**
@@ -62,9 +67,9 @@ export function createPredictions() {
       }
       const came = prediction.kind === "gauge" ? seen.exact.epsilon_t : prediction.came(seen);
       starts.set(step, came);
-      const known = made.get(step);
+      const known = record.of(step).prediction;
       if (known) {
-        made.set(step, { ...known, came });
+        record.note(step, { prediction: { ...known, came } });
       }
     },
   };

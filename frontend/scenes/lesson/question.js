@@ -18,23 +18,20 @@ import { isAtStart } from "./predictions.js";
 
 /**
  * The question of a step: options to choose from, or a goal for the collision; before it, in some, what
- * is to be predicted. What was answered is remembered as long as the page is open.
+ * is to be predicted.
  * @param {HTMLElement} element
+ * @param {ReturnType<typeof import("./record.js").createRecord>} record
  * @param {object} handlers
- * @param {(step: Step) => void} handlers.onDone
+ * @param {() => void} handlers.onDone
  * @param {(step: Step, guess: import("./predictions.js").Prediction["guess"]) => void} handlers.onPredict
  */
-export function mountLessonQuestion(element, { onDone, onPredict }) {
+export function mountLessonQuestion(element, record, { onDone, onPredict }) {
   const text = make("p", "lesson-asked");
   const guess = make("p", "lesson-guess");
   const answers = make("div", "lesson-answers");
   const verdict = make("strong", "");
   const reason = make("span", "");
   const feedback = make("p", "lesson-feedback", verdict, " ", reason);
-  /** The options chosen so far, the last one last. @type {Map<Step, string[]>} */
-  const chosen = new Map();
-  /** The goals that were reached once. What is said is of the present collision. @type {Set<Step>} */
-  const reached = new Set();
   /** @type {Step | null} */
   let step = null;
   /** What the server has last said, and of what. @type {Seen | null} */
@@ -71,7 +68,7 @@ export function mountLessonQuestion(element, { onDone, onPredict }) {
     if (question.kind !== "choice") {
       return;
     }
-    const tried = chosen.get(asked) ?? [];
+    const tried = record.of(asked).chosen;
     const last = tried.at(-1);
     for (const { option, text: key, reason: why } of textsOf(asked).options) {
       const button = optionButton(option);
@@ -112,11 +109,11 @@ export function mountLessonQuestion(element, { onDone, onPredict }) {
     if (!step || step.question.kind !== "choice") {
       return;
     }
-    chosen.set(step, [...(chosen.get(step) ?? []), option]);
+    const { chosen, isDone } = record.of(step);
+    const isRight = option === step.question.right;
+    record.note(step, { chosen: [...chosen, option], isDone: isDone || isRight });
     drawOptions(step);
-    if (option === step.question.right) {
-      onDone(step);
-    }
+    onDone();
     feedback.scrollIntoView({ block: "nearest" });
   }
 
@@ -135,11 +132,12 @@ export function mountLessonQuestion(element, { onDone, onPredict }) {
     if (outcome === "met" && isDragging) {
       tell("there", say("lesson.there"), "");
     } else if (outcome === "met") {
-      reached.add(step);
-      onDone(step);
+      record.note(step, { isDone: true });
+      onDone();
       tell("right", say("lesson.reached"), say(verdicts.met));
     } else if (outcome && present && !isAtStart(step, present)) {
-      const head = reached.has(step) ? "lesson.noLonger" : "lesson.notYet";
+      // What was reached once stays answered; what is said is of the present collision.
+      const head = record.of(step).isDone ? "lesson.noLonger" : "lesson.notYet";
       tell("wrong", say(head), say(verdicts[outcome]));
     } else {
       tell("open", "", say("lesson.try"));

@@ -4,6 +4,7 @@ import { byTestId } from "../../widgets/find.js";
 import { mountGlass } from "./glass.js";
 import { mountOpenLesson } from "./lesson.js";
 import { createPredictions } from "./predictions.js";
+import { createRecord } from "./record.js";
 
 /**
  * The scene "Lesson", beside the pictures of the explorer.
@@ -11,9 +12,11 @@ import { createPredictions } from "./predictions.js";
  * @returns {import("../scene.js").Scene}
  */
 export function mountLesson(page) {
-  const predictions = createPredictions();
+  const record = createRecord();
+  const predictions = createPredictions(record);
   const glass = mountGlass();
   const lesson = mountOpenLesson(byTestId("lesson"), byTestId("handout"), page, {
+    record,
     predictions,
     glass,
   });

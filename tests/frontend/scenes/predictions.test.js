@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { createPredictions } from "../../../frontend/scenes/lesson/predictions.js";
+import { createRecord } from "../../../frontend/scenes/lesson/record.js";
 import { stepNumber, STEPS } from "../../../frontend/state/lesson.js";
 import { readAddress } from "../../../frontend/state/url.js";
 
@@ -25,7 +26,7 @@ test("three steps or more ask for a prediction, of both kinds", () => {
 });
 
 test("a prediction is waited for where its step begins, once", () => {
-  const predictions = createPredictions();
+  const predictions = createPredictions(createRecord());
   assert.ok(predictions.isPending(at(stop)));
   assert.ok(!predictions.isPending(at(STEPS[0])));
   assert.ok(!predictions.isPending(at(stop, { scene: "explorer" })));
@@ -38,7 +39,7 @@ test("a prediction is waited for where its step begins, once", () => {
 });
 
 test("what came is what the server says of where the step begins, whenever it says so", () => {
-  const predictions = createPredictions();
+  const predictions = createPredictions(createRecord());
   predictions.note(stop, seen(stop, { epsilon_t: 0.3 }));
   predictions.commit(stop, -0.5);
   assert.deepEqual(predictions.of(stop), { guess: -0.5, came: 0.3 });
@@ -51,7 +52,7 @@ test("what came is what the server says of where the step begins, whenever it sa
 });
 
 test("to be shown anyway is no guess", () => {
-  const predictions = createPredictions();
+  const predictions = createPredictions(createRecord());
   predictions.commit(stop, null);
   predictions.note(stop, seen(stop, { epsilon_t: 0.3 }));
   assert.deepEqual(predictions.all(), [{ step: stop, guess: null, came: 0.3 }]);
@@ -61,4 +62,32 @@ test("each sketch comes for some number of turns, and every number has a sketch"
   const { sketches, came } = reversal.prediction;
   const names = [0, 1, 2, 3, 8, null].map((reversals) => came({ exact: { reversals } }));
   assert.deepEqual([...new Set(names)].sort(), Object.keys(sketches).sort());
+});
+
+test("answers outlive a page that is loaded anew, and what was kept of another shape is nothing", () => {
+  const kept = new Map();
+  globalThis.sessionStorage = {
+    getItem: (name) => kept.get(name) ?? null,
+    setItem: (name, text) => kept.set(name, text),
+  };
+  createRecord().note(stop, {
+    isDone: true,
+    chosen: ["a"],
+    prediction: { guess: 0.5, came: null },
+  });
+  const expected = { isDone: true, chosen: ["a"], prediction: { guess: 0.5, came: null } };
+  assert.deepEqual(createRecord().of(stop), expected);
+  const nothing = { isDone: false, chosen: [], prediction: null };
+  for (const broken of [
+    "{",
+    "null",
+    "[]",
+    "7",
+    `{"${stop.id}": 3}`,
+    `{"${stop.id}": {"chosen": 3}}`,
+  ]) {
+    kept.set("restitution.lesson", broken);
+    assert.deepEqual(createRecord().of(stop), nothing, broken);
+  }
+  delete globalThis.sessionStorage;
 });
