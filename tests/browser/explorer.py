@@ -212,7 +212,7 @@ def settle(page: Page, server: str) -> None:
 def trace_of(page: Page, name: str) -> list[dict]:
     """The curves that Plotly has drawn, numbers as lists."""
     return page.get_by_test_id(name).evaluate(
-        "plot => plot.data.map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
+        "plot => (plot.data ?? []).map((t) => ({x: [...(t.x ?? [])], y: [...(t.y ?? [])]}))"
     )
 
 
