@@ -108,7 +108,7 @@ def test_a_careful_student_reaches_every_goal_leaves_it_and_reaches_it_again(
     witness.assert_silence()
 
 
-@pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
+@pytest.mark.parametrize("language", every_day(["de", "fr"], of=LANGUAGES))
 def test_a_careless_student_gets_through_and_is_told_of_no_guess(
     page: Page, server: str, language: str
 ):
