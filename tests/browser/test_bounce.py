@@ -1,13 +1,17 @@
 """The bounce: its numbers are those of real bodies, its picture follows the hand."""
 
+import json
 import math
 import random
 import re
 
 import pytest
 from explorer import Witness, ask, number, post, settle, texts, visit
+from lesson import LANGUAGES, LOCALES
 from playwright.sync_api import Page, Route, expect
 from rest import eventually, rest
+
+from cases import every_day
 
 pytestmark = pytest.mark.browser
 
@@ -199,6 +203,32 @@ def test_three_stills_where_nothing_is_to_move_and_one_view_for_a_hand(used_tab:
     expect(cursor).not_to_have_attribute("data-on", "")
     at(used_tab, 1)
     expect(views).to_have_count(3)
+
+
+# Whether, in each contact that is to be seen, its word is in its chip and apart from what is drawn.
+WORDS_APART = """() => [...document.querySelectorAll(".bounce-view .contact:not([hidden])")].map(
+  (contact) => {
+    const [chip, word, drawn] = ["chip", "word", "enlarged"].map((name) =>
+      contact.querySelector(`.contact-${name}`).getBoundingClientRect());
+    const isIn = chip.left <= word.left && word.right <= chip.right;
+    const isApart = drawn.width === 0 || chip.right < drawn.left || drawn.bottom < chip.top;
+    return `${contact.textContent.trim()}: ${isIn && isApart}`;
+  })"""
+
+
+@pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
+def test_the_words_in_the_contact_have_room_on_a_phone(used_tab: Page, server: str, language: str):
+    used_tab.set_viewport_size({"width": 390, "height": 844})
+    found: list[str] = []
+    for gt in (1.1, 4):
+        visit(used_tab, f"/?lang={language}&kappa=4.5&gt_over_gn={gt}")
+        settle(used_tab, server)
+        for share in (1, 0.4, 0.5, 0.6, 0.7):
+            at(used_tab, share)
+            found += used_tab.evaluate(WORDS_APART)
+    back = json.loads((LOCALES / f"{language}.json").read_text("utf-8"))["bounce"]["slidesBack"]
+    assert any(back in words for words in found)
+    assert [words for words in found if not words.endswith("true")] == []
 
 
 @pytest.mark.own_page

@@ -21,7 +21,7 @@ REACHED = {
     "timestep": "steps=500",
 }
 
-# The parts of the present step that reach out of the window.
+# The parts of the present step that reach out of the window, or a picture out of its room.
 BEYOND = """() => {
   const root = document.documentElement.dataset;
   const looks = root.look.split(" ").map((panel) => `[data-panel="${panel}"]`);
@@ -33,10 +33,14 @@ BEYOND = """() => {
     "[data-testid=epsilon-t]", "[data-testid=summary]", ...looks, ...steered,
   ];
   return needed.flatMap((selector) => {
-    const box = document.querySelector(selector).getBoundingClientRect();
-    const isIn = box.width > 0 && box.top >= 0 && box.left >= 0
+    const element = document.querySelector(selector);
+    const box = element.getBoundingClientRect();
+    const ends = looks.includes(selector) ? [...element.children] : [];
+    const end = Math.max(...ends.map((part) => part.getBoundingClientRect().bottom), 0);
+    const isIn = box.width > 0 && box.top >= 0 && box.left >= 0 && end <= box.bottom + 1
       && box.bottom <= innerHeight && box.right <= innerWidth;
-    return isIn ? [] : [`${selector}: ${Math.round(box.top)} to ${Math.round(box.bottom)}`];
+    const all = [box.top, box.bottom, end].map(Math.round);
+    return isIn ? [] : [`${selector}: ${all[0]} to ${all[1]}, its parts to ${all[2]}`];
   });
 }"""
 

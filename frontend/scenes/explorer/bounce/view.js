@@ -128,6 +128,9 @@ function degreesOf(motion) {
   return `${significant(Math.abs(angleOf(motion)), ANGLE_DIGITS)}°`;
 }
 
+/** About as wide is a letter of the words in the contact, in pixels. */
+const LETTER = 6.2;
+
 const STILL = { transform: "", contact: 0, around: 1 };
 
 /** @param {(name: string) => HTMLElement} part */
@@ -169,20 +172,26 @@ function contactParts(part) {
         x: tangentialArrow.tip.x + (isLeft ? -34 : 7),
         y: tangentialArrow.tip.y + 4,
       });
-      place(chip, { y: size.height - 28 });
-      place(word, { y: size.height - 14 });
-      place(enlarged, { x: size.width - 10, y: size.height - 10 });
       fill(trackGroup, scene.tracks, "line", (line, { regime, from, to, y: depth }) => {
         line.setAttribute("class", regime);
         place(line, { x1: from, x2: to, y1: depth, y2: depth });
       });
-      write(word, say(REGIME_KEYS[scene.regime]));
-      write(
-        enlarged,
+      const regime = say(REGIME_KEYS[scene.regime]);
+      const drawn =
         scene.enlarged > 1.5 && scene.enlarged < 1e6
           ? say("bounce.stretchDrawn", { factor: brief(Number(scene.enlarged.toPrecision(1))) })
-          : "",
-      );
+          : "";
+      write(word, regime);
+      write(enlarged, drawn);
+      const chipWidth = Math.max(100, 16 + LETTER * regime.length);
+      place(chip, { y: size.height - 28, width: chipWidth });
+      place(word, { x: 8 + chipWidth / 2, y: size.height - 14 });
+      const isBeside = chipWidth + LETTER * drawn.length + 26 <= size.width;
+      enlarged.setAttribute("text-anchor", isBeside ? "end" : "middle");
+      place(enlarged, {
+        x: isBeside ? size.width - 10 : size.width / 2,
+        y: isBeside ? size.height - 10 : 11,
+      });
     },
   };
 }
