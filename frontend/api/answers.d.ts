@@ -22,8 +22,9 @@ export type CollisionAnswer = Omit<
 
 export type Answer = Pick<CollisionAnswer, "epsilon_t" | "method" | "error_bound" | "milliseconds">;
 
-/** Of `/trace`, its columns among it. */
-export type Trace = CollisionAnswer & Columns & { switch_times: Float64Array };
+/** Of `/trace`, its columns among it; what is followed from switch to switch has been counted. */
+export type Trace = CollisionAnswer &
+  Columns & { switch_times: Float64Array; switches: number; reversals: number };
 
 export type Columns = Record<
   | "time"

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { decimalMark } from "../format/words.js";
+import { decimalMark, say } from "../format/words.js";
 
 /**
  * @typedef {{width: number, height: number}} Size in CSS pixels
@@ -97,7 +97,7 @@ export function timeAxis(theme, contactDuration) {
   return {
     ...plainAxis(theme, [0, END_INCLUDED * contactDuration], ticks, ticks.map(String)),
     title: {
-      text: "time <i>t</i>, scaled",
+      text: say("trace.axis", { t: "<i>t</i>" }),
       standoff: 4 * theme.unit,
       font: { size: 12 * theme.unit },
     },

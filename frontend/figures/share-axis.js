@@ -2,6 +2,7 @@
 
 import { alphaInWords, brief, powerOfTen } from "../format/number.js";
 import { PLOT_SYMBOLS } from "../format/symbols.js";
+import { say } from "../format/words.js";
 import { plainAxis } from "./plot-area.js";
 
 /** @typedef {import("../state/scales.js").Scale} Scale */
@@ -25,8 +26,12 @@ export function horizontalName({ symbol, alpha }) {
   if (alpha === undefined) {
     return PLOT_SYMBOLS[symbol];
   }
-  const spheres = alphaInWords(alpha) === "2/7" ? ", solid spheres" : "";
-  return `${PLOT_SYMBOLS[symbol]} with <i>α</i> = ${alphaInWords(alpha)}${spheres}`;
+  const value = alphaInWords(alpha);
+  return say(value === "2/7" ? "map.withAlphaOfSpheres" : "map.withAlpha", {
+    axis: PLOT_SYMBOLS[symbol],
+    alpha: "<i>α</i>",
+    value,
+  });
 }
 
 /**

@@ -1,6 +1,8 @@
 // @ts-check
 
 import { significant } from "../format/number.js";
+import { TEXT_SYMBOLS } from "../format/symbols.js";
+import { say } from "../format/words.js";
 import { placesAmong, spreadIndices } from "./sample.js";
 
 /**
@@ -23,7 +25,7 @@ export const MAP_COLUMNS = 8;
  * @returns {Table}
  */
 export function mapTable({ grid, quantity }, rows, collision) {
-  const name = quantity === "switches" ? "Number of switches" : "ε_t";
+  const name = quantity === "switches" ? say("map.switchesCount") : TEXT_SYMBOLS.epsilon_t;
   return gridTable(name, grid, grid[quantity], rows, collision);
 }
 
@@ -43,7 +45,7 @@ export function gridTable(name, axes, cells, { along, here, frame }, collision) 
   const columns = spreadIndices(kappa.length, MAP_COLUMNS, [column]);
   const rows = spreadIndices(gtOverGn.length, MAP_ROWS, [row]).reverse();
   return {
-    caption: `${name} over κ (columns) and ${along} (rows) ${frame}: some cells of the map, those nearest to the present collision among them. CSV and JSON hold all.`,
+    caption: say("map.caption", { name, along, frame }),
     headings: [along, ...columns.map((k) => `κ ${significant(kappa[k], 3)}`)],
     rows: rows.map((i) => [
       significant(gtOverGn[i], 3),

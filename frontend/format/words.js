@@ -17,6 +17,7 @@ import { TEXT_SYMBOLS } from "./symbols.js";
 /** @type {Words} */
 let words = { language: "en", languages: [], texts: {} };
 let mark = ".";
+let plurals = new Intl.PluralRules(words.language);
 
 /**
  * Takes the words of the page, before anything is said. They stay as long as the page: another language is
@@ -25,6 +26,7 @@ let mark = ".";
  */
 export function learn(all) {
   words = all;
+  plurals = new Intl.PluralRules(all.language);
   const parts = new Intl.NumberFormat(all.language).formatToParts(0.5);
   mark = parts.find(({ type }) => type === "decimal")?.value ?? ".";
 }
@@ -50,7 +52,7 @@ export function say(key, values = {}) {
  */
 function textAt(key, count) {
   const isCounted = typeof count === "number";
-  const form = isCounted ? new Intl.PluralRules(words.language).select(count) : "";
+  const form = isCounted ? plurals.select(count) : "";
   const keys = isCounted ? [`${key}_${form}`, `${key}_other`, key] : [key];
   return keys.map((each) => leaf(each.split("."))).find((text) => text);
 }

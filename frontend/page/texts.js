@@ -10,7 +10,12 @@ export function takeTexts() {
   for (const element of document.querySelectorAll("[data-say]")) {
     typeset(/** @type {HTMLElement} */ (element), say(element.getAttribute("data-say") ?? ""));
   }
-  for (const element of document.querySelectorAll("[data-say-label]")) {
-    element.setAttribute("aria-label", say(element.getAttribute("data-say-label") ?? ""));
+  for (const [name, attribute] of [
+    ["data-say-label", "aria-label"],
+    ["data-say-title", "title"],
+  ]) {
+    for (const element of document.querySelectorAll(`[${name}]`)) {
+      element.setAttribute(attribute, say(element.getAttribute(name) ?? ""));
+    }
   }
 }

@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+
 /** `/trace` refuses more: nobody could see them. */
 export const MOST_SWITCHES_DRAWN = 20_000;
 
@@ -19,7 +21,5 @@ export function mayBeTooStiffToDraw({ kappa }) {
  * @param {{switches: number | null}} result of a collision that is not drawn
  */
 export function whyNotDrawn({ switches }) {
-  return switches === null
-    ? "its spring is too stiff to be followed from switch to switch"
-    : `it switches ${switches} times`;
+  return switches === null ? say("trace.tooStiff") : say("trace.tooOften", { count: switches });
 }

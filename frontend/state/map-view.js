@@ -1,6 +1,8 @@
 // @ts-check
 
 import { significant, typable } from "../format/number.js";
+import { TEXT_SYMBOLS } from "../format/symbols.js";
+import { say } from "../format/words.js";
 import {
   clamp,
   isBeyond,
@@ -203,6 +205,10 @@ export function heightOf(vertical, { gt_over_gn, mu_over_alpha }) {
   return mu_over_alpha === 0 ? Infinity : gt_over_gn / mu_over_alpha;
 }
 
+/** What the vertical axis is called. @param {MapView["vertical"]} vertical */
+export const impactName = (vertical) =>
+  vertical === "psi" ? TEXT_SYMBOLS.psi : TEXT_SYMBOLS.gt_over_gn;
+
 /**
  * What a collision has along each axis of a map, in words.
  * @param {MapView} view
@@ -214,8 +220,8 @@ export function axesInWords({ vertical }, collision) {
     x: `κ = ${typable(kappa)}`,
     y:
       vertical === "psi"
-        ? `ψ = ${significant(heightOf(vertical, collision))}`
-        : `g_t/g_n = ${typable(ratio)}`,
+        ? `${impactName(vertical)} = ${significant(heightOf(vertical, collision))}`
+        : `${impactName(vertical)} = ${typable(ratio)}`,
   };
 }
 
@@ -225,10 +231,14 @@ export function axesInWords({ vertical }, collision) {
  * @param {Collision} collision
  */
 export function rowsOf({ vertical }, collision) {
-  const here = heightOf(vertical, collision);
-  return vertical === "psi"
-    ? { along: "ψ", here, frame: "at any μ/α" }
-    : { along: "g_t/g_n", here, frame: `at μ/α = ${significant(collision.mu_over_alpha)}` };
+  return {
+    along: impactName(vertical),
+    here: heightOf(vertical, collision),
+    frame:
+      vertical === "psi"
+        ? say("map.atAnyFriction")
+        : say("map.atFriction", { value: significant(collision.mu_over_alpha) }),
+  };
 }
 
 /**

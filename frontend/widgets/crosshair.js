@@ -1,6 +1,7 @@
 // @ts-check
 
 import { MAP_MARGIN } from "../figures/plot-area.js";
+import { say } from "../format/words.js";
 import { axesInWords, collisionAt, placeOnMap } from "../state/map-view.js";
 import { followDrag } from "./drag.js";
 import { find } from "./find.js";
@@ -51,7 +52,7 @@ export function mountCrosshair(element, axes, onPlace) {
   element.append(template.content.cloneNode(true));
   element.tabIndex = 0;
   element.setAttribute("role", "application");
-  element.setAttribute("aria-roledescription", "crosshair");
+  element.setAttribute("aria-roledescription", say("crosshair.role"));
   const mark = createMark(element);
   layOver(element, MAP_MARGIN);
   /** @type {View | null} */
@@ -99,10 +100,7 @@ export function mountCrosshair(element, axes, onPlace) {
   function describe() {
     if (view && present) {
       const { x, y } = axes.words(view, present);
-      element.setAttribute(
-        "aria-label",
-        `${x}, ${y}. Arrow keys move it, with Shift in large steps.`,
-      );
+      element.setAttribute("aria-label", say("crosshair.keys", { x, y }));
     }
   }
 

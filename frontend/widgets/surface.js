@@ -1,5 +1,6 @@
 // @ts-check
 
+import { say } from "../format/words.js";
 import { dragWhenHeld } from "./drag.js";
 import { createPlot } from "./plot.js";
 
@@ -45,7 +46,7 @@ export function createSurface(stage) {
         element.className = "plot surface";
         element.dataset.testid = "surface";
         element.setAttribute("role", "img");
-        element.setAttribute("aria-label", "The map as a surface");
+        element.setAttribute("aria-label", say("map.surface"));
         dragWhenHeld(element);
         stage.append(element);
         open = { element, plot: null };

@@ -1,8 +1,12 @@
 """The cut, the map's axes and its third dimension in a real browser beside a real server."""
 
+import json
+import re
+
 import numpy as np
 import pytest
 from explorer import ask, collision_of, settle, visit
+from lesson import LOCALES
 from playwright.sync_api import Page, expect
 from rest import rest
 
@@ -10,6 +14,7 @@ pytestmark = pytest.mark.browser
 
 CURVE = "plot => [...(plot.data ?? []).find((t) => t.name === 'epsilon_t')?.y ?? []]"
 FULL_CUT = 800
+GERMAN = json.loads((LOCALES / "de.json").read_text(encoding="utf-8"))
 
 
 def cut_of(page: Page) -> list[float]:
@@ -131,3 +136,35 @@ def test_the_surface_exists_only_while_it_is_asked_for(used_tab: Page, server: s
     toggle.uncheck()
     expect(canvases).to_have_count(0)
     assert "shape=flat" in used_tab.url
+
+
+@pytest.mark.own_page
+def test_a_cut_that_is_refused_says_so_in_the_page_s_language_and_why_in_the_server_s(page: Page):
+    body = json.dumps({"detail": "kappa is 63, which is too much"})
+    page.route("**/api/v1/cut?*", lambda route: route.fulfill(status=422, body=body))
+    page.goto("/?lang=de")
+    reason = page.get_by_test_id("cut-reason")
+    expect(reason).to_have_text(f"{GERMAN['cut']['none']}: kappa is 63, which is too much")
+    expect(reason.locator("[lang=en]")).to_have_text("kappa is 63, which is too much")
+
+
+def test_the_pictures_speak_the_language_of_the_page(page: Page, server: str):
+    page.goto("/?lang=de")
+    settle(page, server)
+    force, on_map = GERMAN["force"], GERMAN["map"]
+    expect(page.locator("#force-title")).to_have_text(force["title"])
+    expect(page.get_by_test_id("map-x").locator("label").last).to_have_attribute(
+        "title", on_map["paperAxis"]
+    )
+    expect(page.get_by_test_id("force-trace").locator(".xtitle")).to_contain_text("skaliert")
+    about_force = force["described_other"].replace("{{mu}}", "μ").replace("{{count}}", "8")
+    expect(page.get_by_test_id("force-trace")).to_have_attribute(
+        "aria-label", re.compile(f"^{re.escape(about_force)}")
+    )
+    keys = GERMAN["crosshair"]["keys"].removeprefix("{{x}}, {{y}}")
+    expect(page.get_by_test_id("crosshair")).to_have_attribute(
+        "aria-label", re.compile(f"{re.escape(keys)}$")
+    )
+    expect(page.get_by_test_id("map")).to_have_attribute(
+        "aria-label", re.compile("^Tangentialer Restitutionskoeffizient ε_t über κ von 0,1 bis 70")
+    )

@@ -16,8 +16,19 @@ const sections = Object.keys(LOCALES.en).filter((key) => key !== "name");
 
 /** Texts that are the same words in a language as in English. @type {Record<string, string[]>} */
 const SHARED = {
+  de: ["linear"],
   es: ["error: {{value}}"],
-  fr: ["Pause", "Verdict", "Figures", "figures", "{{count}} minute", "{{count}} minutes"],
+  fr: [
+    "Pause",
+    "Verdict",
+    "Figures",
+    "figures",
+    "{{count}} minute",
+    "{{count}} minutes",
+    "exact",
+    "Force",
+    "Forces",
+  ],
 };
 
 /** Without the ending that a number asks for. */

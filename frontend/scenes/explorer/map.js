@@ -2,7 +2,8 @@
 
 import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
 import { alphaInWords, typable } from "../../format/number.js";
-import { placeOnMap } from "../../state/map-view.js";
+import { say } from "../../format/words.js";
+import { impactName, placeOnMap } from "../../state/map-view.js";
 import { SOLID_ALPHA } from "../../state/parameters.js";
 import { lettersOf } from "../../state/presets.js";
 import { isBeyond } from "../../state/scales.js";
@@ -88,10 +89,7 @@ export function mountMap(element, { onPlace, onOption }) {
       }
       drawLegend();
       crosshair.lieOn(map.view);
-      plotElement.setAttribute(
-        "aria-label",
-        `${map.quantity === "switches" ? "Number of switches" : "Coefficient of tangential restitution ε_t"} over κ from ${typable(map.view.kappa.min)} to ${typable(map.view.kappa.max)} and ${map.view.vertical === "psi" ? "ψ" : "g_t/g_n"} from ${typable(map.view.gtOverGn.min)} to ${typable(map.view.gtOverGn.max)}; the crosshair marks the present collision.`,
-      );
+      plotElement.setAttribute("aria-label", described(map));
     },
 
     point: crosshair.point,
@@ -123,4 +121,15 @@ export function mountMap(element, { onPlace, onOption }) {
       }
     },
   };
+}
+
+/** @param {import("../../figures/map-figure.js").ShownMap} map */
+function described({ quantity, view: { kappa, gtOverGn, vertical } }) {
+  return say(`map.described.${quantity}`, {
+    left: typable(kappa.min),
+    right: typable(kappa.max),
+    impact: impactName(vertical),
+    bottom: typable(gtOverGn.min),
+    top: typable(gtOverGn.max),
+  });
 }

@@ -21,15 +21,17 @@ import { say } from "../../format/words.js";
 /** A piece of ribbon without a word has a space, so that a word can come to stand there. */
 export const SPACE = "\u00a0";
 
-/** What is written on the ribbon where there is room, and where there is a little. */
-const WORDS = {
-  forward: { word: "slides →", sign: "→" },
-  backward: { word: "← slides", sign: "←" },
-  sticking: { word: "sticks", sign: SPACE },
+/** What is written on the ribbon: the first that has room, or where there is a little, a sign. */
+const NAMES = {
+  forward: { keys: ["regimes.forward"], sign: "→" },
+  backward: { keys: ["regimes.backward"], sign: "←" },
+  sticking: { keys: ["regimes.sticks"], sign: SPACE },
+  many: { keys: ["regimes.manyTooBrief", "regimes.many"], sign: "…" },
 };
-const ROOM_FOR_SENTENCE = 200;
-const ROOM_FOR_WORD = 82;
 const ROOM_FOR_SIGN = 30;
+
+/** The pixels of the design that a text wants: some languages say at length what others say in a word. */
+const roomFor = (/** @type {string} */ text) => 38 + 5.5 * text.length;
 
 /** Two episodes in fewer pixels of the design are a pattern that shimmers. */
 const LEAST_PIXELS = 8;
@@ -150,18 +152,8 @@ function words({ start, end, kind, switches }, marks, pixelsPerTime) {
   const middle = (start + end) / 2;
   const free = [end, ...marks].map((place) => Math.abs(place - middle));
   const room = 2 * Math.min(...free) * pixelsPerTime;
-  const { word, sign } = kind === "many" ? manyInWords(switches, room) : WORDS[kind];
-  if (room > ROOM_FOR_WORD) {
-    return word;
-  }
-  return room > ROOM_FOR_SIGN ? sign : SPACE;
-}
-
-/**
- * @param {number} count
- * @param {number} room
- */
-function manyInWords(count, room) {
-  const key = room > ROOM_FOR_SENTENCE ? "regimes.manyTooBrief" : "regimes.many";
-  return { word: say(key, { count }), sign: "…" };
+  const { keys, sign } = NAMES[kind];
+  const texts = keys.map((key) => say(key, { count: switches }));
+  const fitting = texts.find((text) => room > roomFor(text));
+  return fitting ?? (room > ROOM_FOR_SIGN ? sign : SPACE);
 }

@@ -84,7 +84,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       cut.show(shownCut, count !== FULL_CUT);
       cut.point(present().collision);
     },
-    onError: explainBy((reason) => cut.showReason(`No cut at this one: ${reason}`)),
+    onError: explainBy(cut.showRefusal),
     pause: PAUSES.cut,
   });
 
@@ -172,8 +172,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
 
   /** @param {string} reason */
   function showNoTrace(reason) {
-    force.showReason(`No picture of this one: ${reason}`);
-    velocity.showReason("No picture of this one");
+    force.showReason(say("trace.noneFor", { reason }));
+    velocity.showReason(say("trace.none"));
   }
 
   const parameters = () => ({ ...present().collision });
@@ -233,13 +233,13 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
 
     pictures: {
       force: {
-        title: "Force",
+        title: say("force.title"),
         request,
         parameters,
         table: () => trace && forceTable(trace),
       },
       velocity: {
-        title: "Velocity",
+        title: say("velocity.title"),
         request,
         parameters,
         table: () => trace && velocityTable(trace),
@@ -258,7 +258,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         table: () => bounceTable(bounce.motions()),
       },
       map: {
-        title: "Map",
+        title: say("map.title"),
         subject: () => present().map,
         request() {
           const { view, muOverAlpha } = shownMap ?? mapWish(present(), false, null);
@@ -281,7 +281,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         },
       },
       cut: {
-        title: "Cut",
+        title: say("cut.name"),
         request() {
           const wish = shownCut ?? cutWish(present(), false, null);
           return { call: "cut", query: cutQuery({ ...wish, count: FULL_CUT }) };

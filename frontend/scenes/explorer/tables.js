@@ -1,10 +1,11 @@
 // @ts-check
 
 import { placesAmong, spreadIndices } from "../../figures/sample.js";
-import { significant } from "../../format/number.js";
+import { ABSENT, significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { angleOf, speedOf } from "./bounce/motions.js";
 import { rowsOf } from "../../state/map-view.js";
+import { regimeOf } from "./regimes.js";
 
 /**
  * @typedef {import("../../figures/tables.js").Table} Table
@@ -16,12 +17,19 @@ const TRACE_ROWS = 40;
 const SWITCH_ROWS = 60;
 const CUT_ROWS = 30;
 
+/** What a regime is called, without an arrow. */
+const REGIME_KEYS = {
+  forward: "regimes.slides",
+  backward: "regimes.slidesBack",
+  sticking: "regimes.sticks",
+};
+
 /** What the motions of a ball are called, one after another. */
 const MOTION_KEYS = ["bounce.table.comes", "bounce.table.leaves", "bounce.table.leavesAgain"];
 
 /** @param {Trace} trace @returns {Table} */
 export function forceTable(trace) {
-  return traceTable(trace, "Forces", {
+  return traceTable(trace, say("force.table"), {
     "F_t/μ": trace.tangential_force_over_mu,
     F_n: trace.normal_force,
   });
@@ -29,7 +37,7 @@ export function forceTable(trace) {
 
 /** @param {Trace} trace @returns {Table} */
 export function velocityTable(trace) {
-  return traceTable(trace, "Tangential velocity", { "g_t(t)/g_n": trace.tangential_velocity });
+  return traceTable(trace, say("velocity.table"), { "g_t(t)/g_n": trace.tangential_velocity });
 }
 
 /**
@@ -72,12 +80,12 @@ function traceTable(trace, what, columns) {
   const indices = spreadIndices(time.length, TRACE_ROWS, marked);
   const isSwitch = new Set(marked);
   return {
-    caption: `${what} during the contact: ${indices.length} of ${time.length} instants, the switches among them. CSV and JSON hold all.`,
-    headings: ["time", ...Object.keys(columns), "regime"],
+    caption: say("trace.caption", { what, shown: indices.length, all: time.length }),
+    headings: [say("trace.time"), ...Object.keys(columns), say("trace.regime")],
     rows: indices.map((i) => [
       significant(time[i]),
       ...Object.values(columns).map((column) => significant(column[i])),
-      `${regimeAt(trace, time[i])}${isSwitch.has(i) ? ", from here" : ""}`,
+      regimeAt(trace, time[i], isSwitch.has(i)),
     ]),
   };
 }
@@ -86,18 +94,14 @@ function traceTable(trace, what, columns) {
  * The regime that holds or begins at an instant; the list of episodes may end before the contact does.
  * @param {Trace} trace
  * @param {number} instant
+ * @param {boolean} beginsHere
  */
-function regimeAt({ episodes, contact_duration: duration }, instant) {
+function regimeAt({ episodes, contact_duration: duration }, instant, beginsHere) {
   const episode = episodes.find(
     ({ start, end }) => instant >= start && (instant < end || end >= duration),
   );
-  if (!episode) {
-    return "–";
-  }
-  if (episode.regime === "sticking") {
-    return "sticks";
-  }
-  return episode.direction < 0 ? "slides back" : "slides";
+  const regime = episode ? say(REGIME_KEYS[regimeOf(episode)]) : ABSENT;
+  return beginsHere ? say("trace.fromHere", { regime }) : regime;
 }
 
 /**
@@ -115,8 +119,15 @@ export function cutTable({ cut, view, along, held, muOverAlpha }, collision) {
   const [present] = placesAmong(cut.values, [here]);
   const indices = spreadIndices(cut.values.length, CUT_ROWS, [present]);
   return {
-    caption: `ε_t over ${over} at ${frame}: ${indices.length} of ${cut.values.length} points, the one nearest to the present collision among them. CSV and JSON hold all.`,
-    headings: [over, "ε_t", "switches", "Coulomb’s law", "stiff bound", "stiff limit"],
+    caption: say("cut.caption", { over, frame, shown: indices.length, all: cut.values.length }),
+    headings: [
+      over,
+      "ε_t",
+      say("symbols.switchesName"),
+      say("cut.coulomb"),
+      say("cut.stiffBound"),
+      say("cut.stiffLimit"),
+    ],
     rows: indices.map((i) => [
       significant(cut.values[i]),
       significant(cut.epsilon_t[i]),

@@ -2,6 +2,7 @@
 
 import { sentenceOf } from "../../format/sentence.js";
 import { significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { createPlot } from "../../widgets/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
 import { forceFigure } from "./force-figure.js";
@@ -19,7 +20,7 @@ export function mountForceTrace(element) {
     describe(trace) {
       element.setAttribute(
         "aria-label",
-        `Tangential force over μ between plus and minus the normal force, with ${trace.switches} switches. ${sentenceOf(trace)}`,
+        `${say("force.described", { count: trace.switches })} ${sentenceOf(trace)}`,
       );
     },
   };
@@ -45,7 +46,11 @@ export function mountVelocity(element) {
       const [before, after] = [trace.tangential_velocity[0], trace.tangential_velocity.at(-1)];
       element.setAttribute(
         "aria-label",
-        `Tangential velocity g_t/g_n over the contact, from ${significant(before)} to ${significant(after)}; it turns round ${trace.reversals} times.`,
+        say("velocity.described", {
+          before: significant(before),
+          after: significant(after),
+          count: trace.reversals,
+        }),
       );
     },
   };

@@ -5,7 +5,13 @@ import { valueAt } from "../../../figures/sample.js";
 import { significant } from "../../../format/number.js";
 import { PLAIN_SYMBOLS } from "../../../format/symbols.js";
 import { say } from "../../../format/words.js";
-import { axesInWords, axesMuOverAlpha, heightOf, placeOnCut } from "../../../state/map-view.js";
+import {
+  axesInWords,
+  axesMuOverAlpha,
+  heightOf,
+  impactName,
+  placeOnCut,
+} from "../../../state/map-view.js";
 import { lettersOf } from "../../../state/presets.js";
 import { clamp, placeWithin } from "../../../state/scales.js";
 import { choose, onChoice } from "../../../widgets/choices.js";
@@ -105,8 +111,8 @@ export function mountCut(element, { onPlace, onOption }) {
       draw(dragging);
     },
 
-    /** @param {string} reason */
-    showReason: (reason) => showReason(stage, reason),
+    /** @param {string} refusal of the server */
+    showRefusal: (refusal) => showReason(stage, say("cut.none"), refusal),
 
     /** @param {import("../../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {
@@ -129,7 +135,7 @@ export function mountCut(element, { onPlace, onOption }) {
         return;
       }
       chosen = wanted;
-      const impact = map_y === "psi" ? "ψ" : PLAIN_SYMBOLS.gt_over_gn;
+      const impact = impactName(map_y);
       choose(element, { cut_x, cut_y });
       typeset(title, say("cut.title", { held: cut_x === "kappa" ? impact : PLAIN_SYMBOLS.kappa }));
       typeset(byTestId("cut-over-impact", element), impact);
@@ -196,7 +202,7 @@ function isOf({ view, along, held, muOverAlpha }, collision) {
  */
 function described({ along, held, view }, vertical) {
   const isOverKappa = along === "kappa";
-  const impact = view.vertical === "psi" ? "ψ" : PLAIN_SYMBOLS.gt_over_gn;
+  const impact = impactName(view.vertical);
   return say(`cut.described.${vertical}`, {
     over: isOverKappa ? PLAIN_SYMBOLS.kappa : impact,
     held: isOverKappa ? PLAIN_SYMBOLS.gt_over_gn : PLAIN_SYMBOLS.kappa,
