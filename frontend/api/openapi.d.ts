@@ -595,12 +595,24 @@ export interface components {
         /**
          * Caution
          * @description A reason to doubt the result: a word for programs and a sentence for people.
+         *
+         *     Attributes
+         *     ----------
+         *     code, text : str
+         *         The word and the sentence, in English.
+         *     values : mapping of str to float or None
+         *         The numbers of the sentence, in SI units, for those who say it in another language; None
+         *         where one is beyond double precision.
          */
         Caution: {
             /** Code */
             code: string;
             /** Text */
             text: string;
+            /** Values */
+            values: {
+                [key: string]: number | null;
+            };
         };
         /**
          * CodeInput

@@ -45,6 +45,9 @@ export function say(key, values = {}) {
   return filled(textAt(key, values.count) ?? key, values);
 }
 
+/** Whether there are words at a key: what the server names may be new. @param {string} key */
+export const isSaid = (key) => textAt(key, undefined) !== undefined;
+
 /**
  * The text at a dotted key, in the form that a count asks for.
  * @param {string} key

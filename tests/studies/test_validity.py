@@ -1,6 +1,7 @@
 """Warnings where the model is left, and none where it is not."""
 
 import math
+import re
 from dataclasses import replace
 
 from restitution.studies.spheres.bodies import Sphere, Wall
@@ -100,3 +101,15 @@ def test_stiffness_beside_which_mindlins_underflows_is_far_from_it():
     contact = Contact(dust, dust, 0.4, 1e-320)
     assert scales(contact, 1e35).mindlin_stiffness_n_per_m == 0.0
     assert "tangential_stiffness" in codes(contact, Velocities(1e35, 1e35))
+
+
+def test_a_warning_has_the_numbers_of_its_sentence_by_name():
+    soft = Contact(replace(STEEL, yield_stress_pa=1e8), HOLLOW, 0.4, 1e12)
+    impacts = [Velocities(20.0, 5.0), Velocities(1.0, 11.0), Velocities(2000.0, 1.0)]
+    found = [w for impact in impacts for w in study_scaling(soft, impact).warnings]
+    assert {warning.code for warning in found} >= {"plastic_flow", "oblique", "hollow"}
+    for warning in found:
+        digits = 2 if warning.code == "oblique" else 3
+        told = re.findall(r"\d[\d.]*(?:e-?\d+)?", warning.text.replace(",", ""))
+        values = [100 * v if name == "share" else v for name, v in warning.values.items()]
+        assert {float(f"{value:.{digits}g}") for value in values} <= {float(each) for each in told}

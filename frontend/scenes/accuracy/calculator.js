@@ -1,8 +1,9 @@
 // @ts-check
 
 import { powerOfTen, significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { INTEGRATORS, titleOf } from "../../state/accuracy.js";
-import { REGIONS, WANTED_ERRORS } from "../../state/tradeoff-options.js";
+import { REGIONS, STATISTICS, WANTED_ERRORS } from "../../state/tradeoff-options.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 
@@ -37,14 +38,17 @@ export function mountCalculator(element, onOption) {
 
 /** @param {{here: StepsAnswer, there: StepsAnswer, region: string}} answers */
 function tableOf({ here, there, region }) {
+  const shares = [titleOf(STATISTICS, "p95"), say("steps.all")];
   const table = document.createElement("table");
   const head = table.createTHead();
   head
     .insertRow()
-    .append(heading("", ""), wide("this collision"), wide(`region: ${titleOf(REGIONS, region)}`));
-  head
-    .insertRow()
-    .append(...["", "95 %", "all", "95 %", "all"].map((text) => heading(text, "col")));
+    .append(
+      heading("", ""),
+      wide(say("steps.here")),
+      wide(say("steps.there", { region: titleOf(REGIONS, region) })),
+    );
+  head.insertRow().append(...["", ...shares, ...shares].map((text) => heading(text, "col")));
   const rows = table.createTBody();
   for (const [integrator, needed] of Object.entries(here.needed)) {
     const row = rows.insertRow();
@@ -62,11 +66,15 @@ function tableOf({ here, there, region }) {
 function noteOf({ here, there }) {
   const [own, general] = [here.rule, there.rule];
   return [
-    `So many steps per contact, and all larger numbers that were tried, keep the error in 95 % or in all of the contacts, which begin at ${here.phases} instants within a step (those of the region at ${there.phases}).`,
+    say("steps.phases", { here: here.phases, there: there.phases }),
     triedOf(here.needed.velocity_verlet.worst_tried),
-    `Fewer than √κ t_c/2 = ${significant(here.stability_limit, 3)} are unstable here.`,
-    `The rule of 50 √κ, with velocity Verlet, takes ${Math.round(own.steps_max)} and errs by up to ${inError(own.velocity_verlet.error_max)};`,
-    `in the region it errs by less than ${inError(general.velocity_verlet.error_p95)} in 95 %, by ${inError(general.velocity_verlet.error_max)} at worst.`,
+    say("steps.unstable", { limit: significant(here.stability_limit, 3) }),
+    say("steps.rule", {
+      steps: Math.round(own.steps_max),
+      error: inError(own.velocity_verlet.error_max),
+      usual: inError(general.velocity_verlet.error_p95),
+      worst: inError(general.velocity_verlet.error_max),
+    }),
   ].join(" ");
 }
 
@@ -76,16 +84,18 @@ function noteOf({ here, there }) {
  */
 function triedOf(tried) {
   if (tried === null) {
-    return "Tried were those of a ladder by factors of √2.";
+    return say("steps.triedLadder");
   }
   const { first, last, count } = tried;
-  const numbers = count === last - first + 1 ? "all numbers" : `${count} numbers`;
-  return `For velocity Verlet, here, ${numbers} from ${first} to ${last} were tried, and beyond them a ladder by factors of √2.`;
+  const isAll = count === last - first + 1;
+  return say(isAll ? "steps.triedAll" : "steps.triedSome", { numbers: count, first, last });
 }
 
 /** @param {number | null} steps */
 function inSteps(steps) {
-  return steps === null ? "never" : steps.toLocaleString("en-GB").replaceAll(",", "\u202f");
+  return steps === null
+    ? say("steps.never")
+    : steps.toLocaleString("en-GB").replaceAll(",", "\u202f");
 }
 
 /** @param {number | null} error */

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { textsOfMaterial } from "../../format/materials.js";
 import { createFollower, isSame } from "../../state/follower.js";
 import { contactBody, materialOf, valuesOf } from "../../state/impact.js";
 import { PARAMETERS } from "../../state/parameters.js";
@@ -45,7 +46,7 @@ export function mountCodesPanel(element, { client, present, explain }) {
       const isOfIt = steps && isSame(collisionIn(steps.needed.parameters), collisionIn(wish.body));
       showCodes(byTestId("codes-body", element), {
         answer,
-        bodies: wish.material.title,
+        bodies: textsOfMaterial(wish.material).name,
         steps: isOfIt ? steps : null,
         state: present(),
       });

@@ -2,6 +2,7 @@
 
 import { errorColors } from "../../figures/color-scales.js";
 import { powerOfTen } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { METHODS, titleOf } from "../../state/accuracy.js";
 import { horizontalAxis } from "../../state/map-view.js";
 import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
@@ -51,10 +52,12 @@ export function mountErrorMap(element, onPlace) {
 
     /** Whose error it is. @param {import("../../state/accuracy.js").Accuracy} accuracy */
     name({ method, steps }) {
-      const title = titleOf(METHODS, method);
-      const text = method === "timestep" ? `error of ${steps} ${title}` : `error of ${title}`;
-      byTestId("error-map-method", element).textContent = text;
-      plotElement.setAttribute("aria-label", `Map of the ${text} in ε_t, in powers of ten.`);
+      const error =
+        method === "timestep"
+          ? say("errorMap.ofSteps", { steps })
+          : say("errorMap.ofMethod", { method: titleOf(METHODS, method) });
+      byTestId("error-map-method", element).textContent = error;
+      plotElement.setAttribute("aria-label", say("errorMap.described", { error }));
     },
 
     /**

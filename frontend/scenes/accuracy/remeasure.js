@@ -1,5 +1,6 @@
 // @ts-check
 
+import { say } from "../../format/words.js";
 import { byTestId, find } from "../../widgets/find.js";
 
 /** @typedef {import("../../api/answers.js").Run} Run */
@@ -39,7 +40,7 @@ export function mountRemeasure(element, { start, look, cancel, onResult, onError
   function show(next) {
     clearTimeout(timer);
     run = next?.state === "running" ? next : null;
-    button.textContent = run ? "Stop" : "Measure anew";
+    button.textContent = say(run ? "tradeoff.stop" : "tradeoff.remeasure");
     progress.hidden = !run;
     progress.value = run?.progress ?? 0;
     if (run) {

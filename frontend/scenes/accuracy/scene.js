@@ -1,6 +1,7 @@
 // @ts-check
 
 import { errorMapQuery, steppedQuery, stepsQuery } from "../../api/queries.js";
+import { say } from "../../format/words.js";
 import { accuracyQuery, failingOf, inSteps } from "../../state/accuracy.js";
 import { createFollower, isSame } from "../../state/follower.js";
 import { showsSteps } from "../../state/lesson.js";
@@ -96,7 +97,7 @@ export function mountAccuracy(page) {
     },
     onNothing() {
       errors = null;
-      errorMap.showReason("This method does not answer everywhere on these axes");
+      errorMap.showReason(say("errorMap.nowhere"));
     },
     onError: explain,
     pause: MAP_PAUSE,
@@ -156,7 +157,7 @@ export function mountAccuracy(page) {
     if (trace) {
       overlays.follow({ collision, accuracy: accuracyQuery(inSteps(accuracy)) });
     } else {
-      overlay.showReason("No picture of this one");
+      overlay.showReason(say("trace.none"));
     }
   }
 
@@ -222,14 +223,14 @@ export function mountAccuracy(page) {
 
     pictures: {
       tradeoff: {
-        title: "Error against time",
+        title: say("tradeoff.title"),
         subject: () => present().region,
         request: () => ({ call: "tradeoff", query: { scene: present().region } }),
         parameters: () => ({}),
         table: () => tradeoff && tradeoffTable(tradeoff),
       },
       error_map: {
-        title: "Error",
+        title: say("errorMap.picture"),
         subject: () => failingOf(present().accuracy).method,
         request() {
           const state = present();
@@ -255,7 +256,7 @@ export function mountAccuracy(page) {
         },
       },
       overlay: {
-        title: "Force in time steps",
+        title: say("overlay.picture"),
         request() {
           const { collision, accuracy } = present();
           return {
@@ -270,7 +271,7 @@ export function mountAccuracy(page) {
         },
       },
       steps: {
-        title: "Steps for an error",
+        title: say("steps.picture"),
         request() {
           const { collision, wanted_error: error } = present();
           return { call: "steps", query: stepsQuery(collision, error) };
@@ -278,7 +279,7 @@ export function mountAccuracy(page) {
         parameters,
       },
       codes: {
-        title: "Inputs of DEM codes",
+        title: say("codes.picture"),
         request: () => ({ call: "codes", query: {}, body: codes.asked() }),
         parameters,
         table() {

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { errorBound, significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { INTEGRATORS } from "../../state/accuracy.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createPlot } from "../../widgets/plot.js";
@@ -30,7 +31,7 @@ export function mountStepOverlay(element, onAccuracy) {
     /** @param {import("../../state/accuracy.js").Accuracy} accuracy */
     options({ steps, integrator }) {
       integrators.value = integrator;
-      byTestId("overlay-steps", element).textContent = `In ${steps} steps of`;
+      typeset(byTestId("overlay-steps", element), say("overlay.inSteps", { steps }));
     },
 
     /**
@@ -41,19 +42,21 @@ export function mountStepOverlay(element, onAccuracy) {
       shown = stepped;
       showReason(stage, "");
       plot.show({ trace, stepped });
-      const said = `ε_t = ${significant(stepped.epsilon_t, 3)}, off by ${errorBound(stepped.error_bound).replace("±", "")}`;
-      typeset(name, said);
-      plotElement.setAttribute(
-        "aria-label",
-        `Force in ${stepped.method_time.length} time steps over the exact force: ${said}, exactly ${significant(trace.epsilon_t, 3)}.`,
-      );
+      const result = say("overlay.offBy", {
+        value: significant(stepped.epsilon_t, 3),
+        error: errorBound(stepped.error_bound).replace("±", ""),
+      });
+      const exact = significant(trace.epsilon_t, 3);
+      const steps = stepped.method_time.length;
+      typeset(name, result);
+      plotElement.setAttribute("aria-label", say("overlay.described", { steps, result, exact }));
     },
 
     /** @param {string} reason */
     showReason(reason) {
       shown = null;
       showReason(stage, reason);
-      typeset(name, "in time steps");
+      typeset(name, say("overlay.name"));
     },
   };
 }

@@ -3,6 +3,9 @@
 import { spreadIndices } from "../../figures/sample.js";
 import { gridTable } from "../../figures/tables.js";
 import { percentage, significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
+import { titleOf } from "../../state/accuracy.js";
+import { STATISTICS } from "../../state/tradeoff-options.js";
 
 /** @typedef {import("../../figures/tables.js").Table} Table */
 
@@ -15,8 +18,14 @@ const TRACE_ROWS = 40;
  */
 export function tradeoffTable({ rows, machine, measured_at: measuredAt }) {
   return {
-    caption: `Time per collision and error of ε_t, measured ${measuredAt.slice(0, 10)} on ${machine}.`,
-    headings: ["method", "µs", "median", "95 %", "worst", "wrong sign", "wrong switches"],
+    caption: say("tradeoff.table.caption", { date: measuredAt.slice(0, 10), machine }),
+    headings: [
+      say("tradeoff.table.method"),
+      "µs",
+      ...["median", "p95", "max"].map((id) => titleOf(STATISTICS, id)),
+      say("tradeoff.wrongSign"),
+      say("tradeoff.wrongSwitches"),
+    ],
     rows: rows.map((row) => [
       [row.method, ...Object.entries(row.options).map(([knob, value]) => `${knob} ${value}`)].join(
         ", ",
@@ -39,8 +48,8 @@ export function tradeoffTable({ rows, machine, measured_at: measuredAt }) {
 export function steppedTable({ method_time: time, method_tangential_force_over_mu: force }) {
   const indices = spreadIndices(time.length, TRACE_ROWS);
   return {
-    caption: `Tangential force in time steps: ${indices.length} of ${time.length} instants. CSV and JSON hold the exact force, JSON the steps too.`,
-    headings: ["time", "F_t/μ"],
+    caption: say("overlay.table", { shown: indices.length, all: time.length }),
+    headings: [say("trace.time"), "F_t/μ"],
     rows: indices.map((i) => [significant(time[i]), significant(force[i])]),
   };
 }
@@ -58,7 +67,7 @@ export function errorTable(errors, view, rows, collision) {
     kappa: valuesOf(view.kappa, errors[0].length),
     gt_over_gn: valuesOf(view.gtOverGn, errors.length),
   };
-  return gridTable("Error of ε_t", axes, errors, rows, collision);
+  return gridTable(say("errorMap.table"), axes, errors, rows, collision);
 }
 
 /**
@@ -76,8 +85,14 @@ function valuesOf(scale, count) {
  */
 export function codesTable({ codes }) {
   return {
-    caption: "ε_t is that of the same law and damping. CSV and JSON hold all digits.",
-    headings: ["code", "law", "κ", "ε_t", "input"],
+    caption: say("codes.table.caption"),
+    headings: [
+      say("codes.table.code"),
+      say("codes.table.law"),
+      "κ",
+      "ε_t",
+      say("codes.table.input"),
+    ],
     rows: codes.map(({ code, style, kappa, epsilon_t, lines }) => [
       code,
       style,

@@ -1,7 +1,10 @@
 // @ts-check
 
 import { baseLayout, plainAxis } from "../../figures/plot-area.js";
-import { powerOfTen, significant } from "../../format/number.js";
+import { brief, powerOfTen, significant } from "../../format/number.js";
+import { PLOT_SYMBOLS } from "../../format/symbols.js";
+import { say } from "../../format/words.js";
+import { METHODS, titleOf } from "../../state/accuracy.js";
 
 /**
  * @typedef {import("../../figures/theme.js").Theme} Theme
@@ -21,49 +24,55 @@ const MOST_ERROR = 10;
 const LINE = 2;
 
 /**
- * The series of the plot: which rows belong to them, and how they are drawn.
- * @type {{name: string, has: (row: Row) => boolean, color: keyof Theme, dash?: string, symbol: string}[]}
+ * The series of the plot: which rows belong to them, and how they are drawn. Those that are not a method as
+ * a whole have a name of their own.
+ * @type {{method: string, own?: string, has: (row: Row) => boolean, color: keyof Theme, dash?: string, symbol: string}[]}
  */
 const SERIES = [
-  { name: "auto", has: is("auto"), color: "ink", dash: "dot", symbol: "circle-open" },
-  { name: "exact", has: is("exact"), color: "ink", symbol: "star" },
-  { name: "table", has: is("table"), color: "methodTable", symbol: "square" },
-  { name: "stiff limit", has: is("stiff"), color: "inkSoft", symbol: "diamond" },
-  { name: "Coulomb’s law", has: is("coulomb"), color: "inkSoft", symbol: "x" },
+  { method: "auto", has: is("auto"), color: "ink", dash: "dot", symbol: "circle-open" },
+  { method: "exact", has: is("exact"), color: "ink", symbol: "star" },
+  { method: "table", has: is("table"), color: "methodTable", symbol: "square" },
+  { method: "stiff", has: is("stiff"), color: "inkSoft", symbol: "diamond" },
+  { method: "coulomb", has: is("coulomb"), color: "inkSoft", symbol: "x" },
   {
     // Symplectic Euler gives the same numbers: no force acts before or after the contact.
-    name: "time steps, Verlet",
+    method: "timestep",
+    own: "tradeoff.series.verlet",
     has: is("timestep", { integrator: "velocity_verlet" }),
     color: "methodSteps",
     symbol: "circle",
   },
   {
-    name: "time steps, forward Euler",
+    method: "timestep",
+    own: "tradeoff.series.forward_euler",
     has: is("timestep", { integrator: "forward_euler" }),
     color: "methodEuler",
     symbol: "circle",
   },
   {
-    name: "ODE solver, switches found",
+    method: "ode",
+    own: "tradeoff.series.ode_found",
     has: is("ode", { spring: undefined }),
     color: "methodOde",
     symbol: "triangle-up",
   },
   {
-    name: "ODE solver, switches ignored",
+    method: "ode",
+    own: "tradeoff.series.ode_ignored",
     has: is("ode", { spring: "held" }),
     color: "methodOde",
     dash: "dash",
     symbol: "triangle-up-open",
   },
   {
-    name: "ODE solver, Eq. 23 as printed",
+    method: "ode",
+    own: "tradeoff.series.ode_printed",
     has: is("ode", { spring: "free" }),
     color: "methodOde",
     dash: "dot",
     symbol: "triangle-down-open",
   },
-  { name: "LAMMPS", has: is("lammps"), color: "methodPeer", symbol: "hexagon" },
+  { method: "LAMMPS", has: is("lammps"), color: "methodPeer", symbol: "hexagon" },
 ];
 
 /**
@@ -98,11 +107,14 @@ export function tradeoffFigure({ rows, statistic, chosen }, theme, size) {
       },
       xaxis: {
         ...decades(theme, fastest, slowest, size.width < NARROW * theme.unit ? 2 : 1),
-        title: { text: "µs per collision", ...text },
+        title: { text: say("tradeoff.time"), ...text },
       },
       yaxis: {
         ...withRoomFor(beyond, decades(theme, low, high, 2)),
-        title: { text: "error of <i>ε</i><sub>t</sub>", ...text },
+        title: {
+          text: say("tradeoff.error", { epsilon_t: PLOT_SYMBOLS.epsilon_t }),
+          ...text,
+        },
       },
     },
   };
@@ -116,9 +128,11 @@ export function seriesOf(rows) {
   const answered = /** @type {AnsweredRow[]} */ (
     rows.filter((row) => row.microseconds_per_collision !== null)
   );
-  return SERIES.map((series) => ({ ...series, rows: answered.filter(series.has) })).filter(
-    (series) => series.rows.length > 0,
-  );
+  return SERIES.map((series) => ({
+    ...series,
+    name: series.own ? say(series.own) : titleOf(METHODS, series.method),
+    rows: answered.filter(series.has),
+  })).filter(({ rows: own }) => own.length > 0);
 }
 
 /**
@@ -176,23 +190,27 @@ function ring(rows, statistic, theme) {
 function describe(name, row) {
   const knobs = Object.entries(row.options)
     .filter(([, value]) => typeof value === "number")
-    .map(([knob, value]) => `${knob} ${value}`);
-  const share = (/** @type {number} */ value) => `${Number((100 * value).toPrecision(2))} %`;
-  const wrong = [`wrong sign ${share(row.wrong_sign)}`];
+    .map(([knob, value]) => say(`tradeoff.knobs.${knob}`, { value: brief(Number(value)) }));
+  const wrong = [`${say("tradeoff.wrongSign")} ${short(100 * row.wrong_sign)} %`];
   if (row.wrong_switches !== null) {
-    wrong.push(`wrong switches ${share(row.wrong_switches)}`);
+    wrong.push(`${say("tradeoff.wrongSwitches")} ${short(100 * row.wrong_switches)} %`);
   }
+  const errors = {
+    median: short(row.error_median),
+    p95: short(row.error_p95),
+    max: short(row.error_max),
+  };
   return [
     `<b>${[name, ...knobs].join(", ")}</b>`,
     `${short(row.microseconds_per_collision)} µs`,
-    `median ${short(row.error_median)}, 95 % below ${short(row.error_p95)}, worst ${short(row.error_max)}`,
+    say("tradeoff.errors", errors),
     `${wrong.join(", ")}<extra></extra>`,
   ].join("<br>");
 }
 
 /** @param {number} value */
 function short(value) {
-  return String(Number(value.toPrecision(2)));
+  return brief(Number(value.toPrecision(2)));
 }
 
 /**

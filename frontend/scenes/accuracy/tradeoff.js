@@ -1,5 +1,6 @@
 // @ts-check
 
+import { say } from "../../format/words.js";
 import { accuracyQuery, METHODS } from "../../state/accuracy.js";
 import { REGIONS, STATISTICS } from "../../state/tradeoff-options.js";
 import { choices, choose, onChoice } from "../../widgets/choices.js";
@@ -91,11 +92,13 @@ export function mountTradeoff(element, { onOption, onAccuracy }) {
       });
       if (isNew) {
         drawLegend();
-        byTestId("tradeoff-source", element).textContent =
-          `Measured ${measuredAt.slice(0, 10)} on ${machine}. A click on a point chooses its method.`;
+        byTestId("tradeoff-source", element).textContent = say("tradeoff.source", {
+          date: measuredAt.slice(0, 10),
+          machine,
+        });
         plotElement.setAttribute(
           "aria-label",
-          `Error against time per collision of ${seriesOf(rows).length} ways to get ε_t, both logarithmic; the table in the menu has the numbers.`,
+          say("tradeoff.described", { ways: seriesOf(rows).length }),
         );
       }
     },

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { textsOfMaterial } from "../../format/materials.js";
 import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
 import { say } from "../../format/words.js";
 import { byTestId, find } from "../../widgets/find.js";
@@ -48,6 +49,15 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
     control(parent, parameter),
   );
 
+  /** Where its numbers are from, as the work has it, and what is not from there. @param {Material} material */
+  function cite(material) {
+    if (source.dataset.material !== material.id) {
+      const { notes, language } = textsOfMaterial(material);
+      source.dataset.material = material.id;
+      source.replaceChildren(spoken(material.source, "en"), " · ", spoken(notes, language));
+    }
+  }
+
   /**
    * @param {HTMLElement} place
    * @param {import("../../state/impact.js").ImpactParameter} parameter
@@ -90,7 +100,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
   return {
     /** @param {Material[]} materials */
     offer(materials) {
-      choice.replaceChildren(...materials.map(({ id, title }) => new Option(title, id)));
+      choice.replaceChildren(...materials.map(option));
     },
 
     /**
@@ -124,9 +134,25 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
       /** @type {HTMLInputElement} */ (kind).checked = true;
       const spread = find(`[value="${impact.inertia ?? usualInertia}"]`, inertia);
       /** @type {HTMLInputElement} */ (spread).checked = true;
-      typeset(source, `${material.source} · ${material.notes}`);
+      cite(material);
     },
   };
+}
+
+/** @param {Material} material */
+function option(material) {
+  const { name, language } = textsOfMaterial(material);
+  const made = new Option(name, material.id);
+  made.lang = language;
+  return made;
+}
+
+/** @param {string} text @param {string} language */
+function spoken(text, language) {
+  const element = document.createElement("span");
+  element.lang = language;
+  typeset(element, text);
+  return element;
 }
 
 /** What is worked out, to four digits. @param {number} value */

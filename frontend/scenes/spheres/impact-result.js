@@ -1,10 +1,12 @@
 // @ts-check
 
 import { ABSENT, alphaInWords, inUnits, significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { collisionOfImpact } from "../../state/parameters.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 import { write } from "../../widgets/write.js";
+import { warningInWords } from "./warnings.js";
 
 /**
  * What an impact is in SI units and in scaled terms, and where the model is left.
@@ -30,26 +32,36 @@ export function createImpactResult(element) {
   return {
     /** @param {import("../../api/answers.js").Scaling} scaling */
     show(scaling) {
-      typeset(refusal, "");
+      refusal.replaceChildren();
       list.hidden = false;
       for (const [name, value] of rowsOf(scaling)) {
         write(shown.get(name) ?? place(name), value);
       }
-      const texts = scaling.warnings.map(({ text }) => text);
-      for (const item of [...warnings.children].slice(texts.length)) {
+      const told = scaling.warnings.map(warningInWords);
+      for (const item of [...warnings.children].slice(told.length)) {
         item.remove();
       }
-      for (const [i, text] of texts.entries()) {
-        const item = warnings.children[i] ?? warnings.appendChild(document.createElement("li"));
-        typeset(/** @type {HTMLElement} */ (item), text);
+      for (const [i, { text, language }] of told.entries()) {
+        const item = /** @type {HTMLElement} */ (
+          warnings.children[i] ?? warnings.appendChild(document.createElement("li"))
+        );
+        item.lang = language;
+        typeset(item, text);
       }
     },
 
-    /** Why there is none. @param {string} reason */
-    refuse(reason) {
+    /**
+     * Why there is none.
+     * @param {string} reason
+     * @param {string} [language] of the reason, where it is not that of the page
+     */
+    refuse(reason, language = "en") {
       list.hidden = true;
       warnings.replaceChildren();
-      typeset(refusal, `Not this one: ${reason}`);
+      const why = document.createElement("span");
+      why.lang = language;
+      typeset(why, reason);
+      refusal.replaceChildren(say("spheres.result.refused"), " ", why);
     },
   };
 }
@@ -60,10 +72,10 @@ export function createImpactResult(element) {
  */
 function rowsOf(scaling) {
   return [
-    ["contact lasts", inUnits(scaling.contact_duration_s, "s")],
-    ["largest compression", inUnits(scaling.maximum_compression_m, "m")],
-    ["largest normal force", inUnits(scaling.maximum_normal_force_n, "N")],
-    ["effective mass", inUnits(1000 * scaling.effective_mass_kg, "g")],
+    [say("codes.duration"), inUnits(scaling.contact_duration_s, "s")],
+    [say("spheres.result.compression"), inUnits(scaling.maximum_compression_m, "m")],
+    [say("spheres.result.force"), inUnits(scaling.maximum_normal_force_n, "N")],
+    [say("spheres.result.mass"), inUnits(1000 * scaling.effective_mass_kg, "g")],
     ["k_t", inUnits(scaling.tangential_stiffness_n_per_m, "N/m")],
     ["α", alphaInWords(collisionOfImpact(scaling).alpha)],
     ["κ", significant(scaling.kappa)],
@@ -72,7 +84,7 @@ function rowsOf(scaling) {
     ["ψ", significant(scaling.psi ?? Infinity)],
     ["η", significant(scaling.damping)],
     ["ε_n", significant(scaling.epsilon_n)],
-    ["ε_t of the spring", significant(scaling.epsilon_t)],
-    ["switches", String(scaling.switches ?? ABSENT)],
+    [say("spheres.result.ofSpring"), significant(scaling.epsilon_t)],
+    [say("symbols.switchesName"), String(scaling.switches ?? ABSENT)],
   ];
 }

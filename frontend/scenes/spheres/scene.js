@@ -4,6 +4,7 @@ import { mapQuery } from "../../api/queries.js";
 import { mapFigure } from "../../figures/map-figure.js";
 import { MAP_MARGIN } from "../../figures/plot-area.js";
 import { mapTable } from "../../figures/tables.js";
+import { say } from "../../format/words.js";
 import { createFollower, isSame } from "../../state/follower.js";
 import {
   contactBody,
@@ -71,7 +72,7 @@ const PAUSE = 80;
  * @param {import("../scene.js").Page} page
  * @returns {import("../scene.js").Scene}
  */
-export function mountSpheres({ client, present, set, preview, say, explainBy }) {
+export function mountSpheres({ client, present, set, preview, say: notify, explainBy }) {
   const velocities = mountVelocityMap(find(".velocities"), {
     onPlace: changeImpact,
     onOption: set,
@@ -100,9 +101,9 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
     set({ impact: { ...present().impact, ...patch } }, change);
   }
 
-  /** @param {string} reason */
-  function onRefused(reason) {
-    say(reason);
+  /** @type {Parameters<typeof explainBy>[0]} */
+  function onRefused(...reason) {
+    notify(...reason);
     preview(null);
   }
 
@@ -116,11 +117,11 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
       drawCut(change.dragging);
       announce("impact", change);
     },
-    onError: explainBy((reason) => {
+    onError: explainBy((...reason) => {
       shown.scaling = null;
       placeMark.hide();
-      result.refuse(reason);
-      onRefused(reason);
+      result.refuse(...reason);
+      onRefused(...reason);
     }),
   });
   const maps = createFollower({
@@ -143,7 +144,7 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
       drawCut(change.dragging);
       announce("sphere-cut", change);
     },
-    onError: explainBy(() => sphereCut.showReason("No cut of this one")),
+    onError: explainBy(() => sphereCut.showReason(say("spheres.cut.none"))),
   });
   const places = createFollower({
     load: client.map,
@@ -320,24 +321,24 @@ export function mountSpheres({ client, present, set, preview, say, explainBy }) 
 
     pictures: {
       velocities: {
-        title: "ε_t over the velocities",
+        title: say("spheres.velocities.picture"),
         request: () => ({ call: "scaling/map", query: {}, body: maps.asked()?.body ?? {} }),
         parameters,
         table: () => shown.velocities && velocityMapTable(shown.velocities.map),
       },
       sphere_cut: {
-        title: "ε_t over the tangential velocity",
+        title: say("spheres.cut.picture"),
         request: () => ({ call: "scaling/map", query: {}, body: cuts.asked()?.body ?? {} }),
         parameters,
         table: () => shown.cut && sphereCutTable(shown.cut.map),
       },
       impact: {
-        title: "Impact",
+        title: say("spheres.result.picture"),
         request: () => ({ call: "scaling", query: {}, body: scalings.asked()?.body ?? {} }),
         parameters,
       },
       place: {
-        title: "Place on the universal map",
+        title: say("spheres.place.picture"),
         request() {
           const axes = shown.place ?? axesFor({ ...present(), ...PLACE.axes }, false);
           const { view, muOverAlpha } = axes;

@@ -4,6 +4,7 @@ import { axisTitle, baseLayout, CUT_MARGIN, plainAxis } from "../../figures/plot
 import { shareAxis } from "../../figures/share-axis.js";
 import { brief } from "../../format/number.js";
 import { say } from "../../format/words.js";
+import { velocityName } from "./velocity-map-figure.js";
 
 const TICKS = [-1, -0.5, 0, 0.5, 1];
 
@@ -75,7 +76,7 @@ export function sphereCutFigure({ curves, tangential, scale, measured, here }, t
       ...baseLayout(theme, size, CUT_MARGIN),
       xaxis: {
         ...shareAxis(theme, tangential, scale),
-        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 4, theme, 13),
+        title: axisTitle(velocityName("t"), 4, theme, 13),
       },
       yaxis: {
         ...plainAxis(theme, [-1.04, 1.04], TICKS, TICKS.map(brief)),

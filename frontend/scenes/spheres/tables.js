@@ -3,6 +3,7 @@
 import { spreadIndices } from "../../figures/sample.js";
 import { MAP_COLUMNS, MAP_ROWS } from "../../figures/tables.js";
 import { significant } from "../../format/number.js";
+import { say } from "../../format/words.js";
 
 /** @typedef {import("../../figures/tables.js").Table} Table */
 
@@ -18,8 +19,7 @@ export function velocityMapTable(map) {
   const columns = spreadIndices(normal.length, MAP_COLUMNS);
   const rows = spreadIndices(tangential.length, MAP_ROWS).reverse();
   return {
-    caption:
-      "ε_t over g_n (columns) and g_t (rows), both in m/s: some cells of the map. CSV and JSON hold all.",
+    caption: say("spheres.velocities.table"),
     headings: ["g_t", ...columns.map((i) => `g_n ${significant(normal[i], 3)}`)],
     rows: rows.map((j) => [
       significant(tangential[j], 3),
@@ -41,8 +41,12 @@ export function sphereCutTable({
 }) {
   const rows = spreadIndices(tangential.length, CUT_ROWS);
   return {
-    caption: `ε_t over g_t in m/s at g_n = ${significant(map.normal_velocity_m_s[0])} m/s: ${rows.length} of ${tangential.length} points. CSV and JSON hold all.`,
-    headings: ["g_t", "ε_t", "Coulomb’s law"],
+    caption: say("spheres.cut.table", {
+      velocity: significant(map.normal_velocity_m_s[0]),
+      shown: rows.length,
+      all: tangential.length,
+    }),
+    headings: ["g_t", "ε_t", say("methods.coulomb")],
     rows: rows.map((j) => [
       significant(tangential[j]),
       significant(epsilon_t[j][0]),

@@ -3,6 +3,7 @@
 import { restitutionStops } from "../../figures/color-scales.js";
 import { axisTitle, baseLayout, MAP_MARGIN } from "../../figures/plot-area.js";
 import { shareAxis } from "../../figures/share-axis.js";
+import { say } from "../../format/words.js";
 
 /**
  * ε_t of one pair of bodies over the velocities of the impact, as in Figs. 1 and 2, in m/s.
@@ -33,12 +34,17 @@ export function velocityMapFigure({ cells, view }, theme, size) {
       ...baseLayout(theme, size, MAP_MARGIN),
       xaxis: {
         ...shareAxis(theme, view.normal, view.scale),
-        title: axisTitle("<i>g</i><sub>n</sub> in m/s", 4, theme, 13),
+        title: axisTitle(velocityName("n"), 4, theme, 13),
       },
       yaxis: {
         ...shareAxis(theme, view.tangential, view.scale),
-        title: axisTitle("<i>g</i><sub>t</sub> in m/s", 2, theme, 13),
+        title: axisTitle(velocityName("t"), 2, theme, 13),
       },
     },
   };
+}
+
+/** What an axis of velocities is, for Plotly. @param {"n" | "t"} index */
+export function velocityName(index) {
+  return say("spheres.velocities.axis", { velocity: `<i>g</i><sub>${index}</sub>` });
 }

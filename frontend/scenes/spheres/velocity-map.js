@@ -1,6 +1,7 @@
 // @ts-check
 
 import { typable } from "../../format/number.js";
+import { say } from "../../format/words.js";
 import { clamp, isBeyond, placeWithin } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
 import { mountCrosshair } from "../../widgets/crosshair.js";
@@ -97,12 +98,12 @@ export function mountVelocityMap(element, { onPlace, onOption }) {
       legend.draw("epsilon_t", 0);
       plotElement.setAttribute(
         "aria-label",
-        `ε_t ${law === "coulomb" ? "by Coulomb’s law " : ""}over normal and tangential velocity up to ${typable(view.most)} m/s.`,
+        say(`spheres.velocities.described.${law}`, { most: typable(view.most) }),
       );
     },
 
     /** Why there is none, the impact itself tells. */
-    showReason: () => showReason(stage, "No map of this one"),
+    showReason: () => showReason(stage, say("spheres.velocities.none")),
 
     /**
      * What is known of the present impact.

@@ -23,10 +23,20 @@ FAR_FROM_MINDLIN = 3.0
 
 @dataclass(frozen=True)
 class Caution:
-    """A reason to doubt the result: a word for programs and a sentence for people."""
+    """A reason to doubt the result: a word for programs and a sentence for people.
+
+    Attributes
+    ----------
+    code, text : str
+        The word and the sentence, in English.
+    values : mapping of str to float or None
+        The numbers of the sentence, in SI units, for those who say it in another language; None
+        where one is beyond double precision.
+    """
 
     code: str
     text: str
+    values: dict[str, float | None]
 
 
 def cautions(
@@ -63,6 +73,7 @@ def _compression(at: Scales) -> Caution | None:
         "compression",
         f"the bodies are compressed by {_short(100 * share)} % of the smaller radius; "
         "Hertz's law is for small compressions, up to about 5 %",
+        _held(share=share),
     )
 
 
@@ -82,6 +93,7 @@ def _plastic_flow(contact: Contact, at: Scales) -> Caution | None:
         "plastic_flow",
         f"the pressure reaches {_short(pressure)} Pa, {_short(pressure / weakest)} times the yield "
         "stress; from 1.6 times on the material flows, which the model does not know",
+        _held(pressure_pa=pressure, over_yield_stress=pressure / weakest),
     )
 
 
@@ -91,6 +103,11 @@ def _turning_normal(let_turn: Turned, tangential_velocity: float) -> Caution | N
         return None
     # beyond that ε_t, over so small a velocity before, says nothing
     of_epsilon = moved <= 10.0 * tangential_velocity
+    moves = (
+        {"epsilon_t_change": moved / tangential_velocity}
+        if of_epsilon
+        else {"tangential_velocity_m_s": moved}
+    )
     sideways = (
         f"move ε_t by up to {_short(moved / tangential_velocity, 2)}"
         if of_epsilon
@@ -101,6 +118,7 @@ def _turning_normal(let_turn: Turned, tangential_velocity: float) -> Caution | N
         f"the normal, which the model keeps fixed, turns by {_short(angle, 2)} rad during the "
         f"contact: let turn, it would take about {_short(lost, 2)} from ε_n, seen along the first "
         f"normal, and {sideways}",
+        _held(angle_rad=angle, epsilon_n_change=lost, **moves),
     )
 
 
@@ -113,6 +131,7 @@ def _stiffness(at: Scales) -> Caution | None:
         "tangential_stiffness",
         f"the tangential stiffness is {_short(ratio)} times that of smooth elastic bodies at the "
         f"largest compression (Mindlin), {_short(mindlin)} N/m",
+        _held(over_mindlin=ratio, mindlin_n_per_m=mindlin),
     )
 
 
@@ -128,7 +147,12 @@ def _hollow(contact: Contact) -> Caution | None:
         "hollow",
         "a hollow sphere has the moment of inertia of a thin shell, but the contact of a solid "
         "body (Hertz): a shell gives way by bending, too, and is softer",
+        {},
     )
+
+
+def _held(**values: float) -> dict[str, float | None]:
+    return {name: value if math.isfinite(value) else None for name, value in values.items()}
 
 
 def _short(value: float, digits: int = 3) -> str:
