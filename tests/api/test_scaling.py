@@ -69,7 +69,9 @@ def test_example_of_the_contract_has_every_key(service):
     assert answer["after"] is None
     assert answer["epsilon_n"] == 1.0
     assert answer["psi"] == pytest.approx(0.25 / 0.4 * 2 / 7)
-    assert [set(w) for w in answer["warnings"]] == [{"code", "text"}] * len(answer["warnings"])
+    assert [set(w) for w in answer["warnings"]] == [{"code", "text", "values"}] * len(
+        answer["warnings"]
+    )
 
 
 def test_epsilon_t_is_that_of_the_scaled_collision(service):
