@@ -1,9 +1,10 @@
 // @ts-check
 
-import { createClient, createExplanation, Unreachable } from "./api/client.js";
-import { spokenLanguage } from "./format/words.js";
+import { createClient, Unreachable } from "./api/client.js";
+import { say, spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
 import { createDeferredScene } from "./page/deferred-scene.js";
+import { createExplanation } from "./page/explanation.js";
 import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
@@ -42,7 +43,7 @@ const addressBar = createAddressBar((state, wrong) => {
 });
 const connection = createConnection({
   isAnswering,
-  onLost: (reason) => banner.say(`${reason}. The last picture stays; trying again …`),
+  onLost: (reason) => banner.say(say("server.lost", { reason })),
   onRecovered: () => {
     banner.clear();
     loadAll();
@@ -195,7 +196,7 @@ async function speak(before) {
     location.reload();
     return;
   }
-  connection.reportLost("The server does not answer");
+  connection.reportLost(say("server.silent"));
   store.set({ lang: before });
 }
 
@@ -225,6 +226,6 @@ async function isAnswering() {
 /** @param {string[]} wrong */
 function reportAddressProblems(wrong) {
   if (wrong.length > 0) {
-    notice.say(`In the address, ${wrong.join("; ")}. The usual value stands in.`);
+    notice.say(say("address.problems", { problems: wrong.join("; ") }));
   }
 }

@@ -31,26 +31,27 @@ import {
  */
 
 /** The server could not be asked, or is too busy: asking again later may help. */
-export class Unreachable extends Error {}
+export class Unreachable extends Error {
+  /**
+   * @param {"silent" | "busy" | "brokenOff"} reason
+   * @param {ErrorOptions} [options]
+   */
+  constructor(reason, options) {
+    super(reason, options);
+    this.reason = reason;
+  }
+}
 
-/** The server answered that it will not answer this: its reason is the message. */
-export class Refused extends Error {}
-
-/**
- * What is to be done about an error: a refusal is left to whom it concerns.
- * @param {(reason: string) => void} onLost
- * @returns {(refuse: (reason: string) => void) => (error: unknown) => void}
- */
-export function createExplanation(onLost) {
-  return (refuse) => (error) => {
-    if (error instanceof Unreachable) {
-      onLost(error.message);
-    } else if (error instanceof Refused) {
-      refuse(error.message);
-    } else {
-      throw error;
-    }
-  };
+/** The server answered that it will not answer this: its reason, if it gives one, is the message. */
+export class Refused extends Error {
+  /**
+   * @param {number} status
+   * @param {string} [reason]
+   */
+  constructor(status, reason = "") {
+    super(reason);
+    this.status = status;
+  }
 }
 
 const LONGEST_WAIT = 15_000;
@@ -98,17 +99,17 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
         response = await fetch(url, { ...how, signal: until });
       }
     } catch (error) {
-      throw new Unreachable("The server does not answer", { cause: error });
+      throw new Unreachable("silent", { cause: error });
     }
     if ([502, 503, 504].includes(response.status)) {
-      throw new Unreachable("The server is busy");
+      throw new Unreachable("busy");
     }
     const body = await response.json().catch(() => null);
     if (!response.ok) {
-      throw new Refused(body?.detail ?? `the server answered ${response.status}`);
+      throw new Refused(response.status, body?.detail);
     }
     if (body === null) {
-      throw new Unreachable("The server’s answer broke off");
+      throw new Unreachable("brokenOff");
     }
     return { body, milliseconds: computeTime(response.headers.get("server-timing")) };
   }
@@ -281,7 +282,7 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
       const url = `${base}/${call}?${new URLSearchParams(query)}`;
       const response = await fetch(url, posted(body ?? {}));
       if (!response.ok) {
-        throw new Refused(`the server answered ${response.status}`);
+        throw new Refused(response.status);
       }
       return response.blob();
     },
@@ -293,7 +294,7 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
     async font(address) {
       const response = await fetch(address);
       if (!response.ok) {
-        throw new Refused(`the server answered ${response.status}`);
+        throw new Refused(response.status);
       }
       return response.blob();
     },

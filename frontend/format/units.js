@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "./words.js";
+
 /**
  * A unit as a multiple of SI: 10^power × times / per; powers of ten are kept apart, so that 20 mm are
  * 0.02 m and not nearly.
@@ -63,25 +65,25 @@ const UNPREFIXED = new Map(
   }),
 );
 
-/** What has these exponents, and the units that a field of it names. @type {Record<string, [string, string]>} */
+/** What has these exponents, and the units that a field of it names, if any. @type {Record<string, [string, string]>} */
 const DIMENSIONS = {
-  "0,0,0,0": ["a share", "a number without a unit"],
-  "1,0,0,0": ["a length", "m, mm, cm, µm"],
-  "0,1,0,0": ["a mass", "kg, g, mg"],
-  "0,0,1,0": ["a time", "s, ms, µs, ns"],
-  "0,0,0,1": ["an angle", "°, rad"],
-  "1,0,-1,0": ["a velocity", "m/s, cm/s, mm/s, km/h"],
-  "1,0,-2,0": ["an acceleration", "m/s²"],
-  "1,1,-2,0": ["a force", "N, mN, kN"],
-  "-1,1,-2,0": ["a pressure", "Pa, kPa, MPa, GPa"],
-  "0,1,-2,0": ["a stiffness", "N/m, N/mm, kN/m"],
-  "-3,1,0,0": ["a density", "kg/m³, g/cm³"],
-  "2,1,-2,0": ["an energy", "J, mJ"],
-  "2,1,-3,0": ["a power", "W, mW"],
-  "0,0,-1,0": ["a frequency", "Hz, 1/s"],
-  "2,0,0,0": ["an area", "m², mm²"],
-  "3,0,0,0": ["a volume", "m³, mm³"],
-  "0,0,-1,1": ["an angular velocity", "rad/s"],
+  "0,0,0,0": ["share", ""],
+  "1,0,0,0": ["length", "m, mm, cm, µm"],
+  "0,1,0,0": ["mass", "kg, g, mg"],
+  "0,0,1,0": ["time", "s, ms, µs, ns"],
+  "0,0,0,1": ["angle", "°, rad"],
+  "1,0,-1,0": ["velocity", "m/s, cm/s, mm/s, km/h"],
+  "1,0,-2,0": ["acceleration", "m/s²"],
+  "1,1,-2,0": ["force", "N, mN, kN"],
+  "-1,1,-2,0": ["pressure", "Pa, kPa, MPa, GPa"],
+  "0,1,-2,0": ["stiffness", "N/m, N/mm, kN/m"],
+  "-3,1,0,0": ["density", "kg/m³, g/cm³"],
+  "2,1,-2,0": ["energy", "J, mJ"],
+  "2,1,-3,0": ["power", "W, mW"],
+  "0,0,-1,0": ["frequency", "Hz, 1/s"],
+  "2,0,0,0": ["area", "m², mm²"],
+  "3,0,0,0": ["volume", "m³, mm³"],
+  "0,0,-1,1": ["angularVelocity", "rad/s"],
 };
 
 /**
@@ -136,10 +138,10 @@ function simpleUnit(name) {
 
 /** What a quantity in a unit is: "a pressure". @param {Unit} unit */
 export function kindOf({ dimension }) {
-  return DIMENSIONS[dimension]?.[0] ?? "another quantity";
+  return say(`quantities.${DIMENSIONS[dimension]?.[0] ?? "other"}`);
 }
 
 /** Units that a field of such a quantity takes, in words. @param {Unit} unit */
 export function takenBy({ dimension }) {
-  return DIMENSIONS[dimension][1];
+  return DIMENSIONS[dimension][1] || say("quantities.pure");
 }

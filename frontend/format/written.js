@@ -100,8 +100,12 @@ export function readWritten(text, { subject, unit = "", decimal = decimalMark() 
     .replaceAll("μ", "µ")
     .replace(/\^(-?\d+)/g, (_, power) => powerOfTen(Number(power)).slice("10".length));
   if (given?.dimension !== own.dimension) {
-    const fault = given ? `${name} is ${kindOf(given)}` : `“${name}” is no unit that is known here`;
-    return { refusal: `${fault}; ${subject} takes ${takenBy(own)}` };
+    const taken = takenBy(own);
+    return {
+      refusal: given
+        ? say("fields.otherUnit", { unit: name, kind: kindOf(given), subject, taken })
+        : say("fields.noUnit", { unit: name, subject, taken }),
+    };
   }
   const ratio = (given.times * own.per) / (given.per * own.times);
   const readings = number.meanings.map(({ digits, power = 0, times = 1, by = 1 }) => ({

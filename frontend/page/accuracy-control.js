@@ -1,19 +1,12 @@
 // @ts-check
 
 import { brief, powerOfTen } from "../format/number.js";
+import { isSaid, say } from "../format/words.js";
 import { knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
 import { byTestId, find } from "../widgets/find.js";
-import { write } from "../widgets/write.js";
+import { typeset } from "../widgets/typeset.js";
 
 /** @typedef {import("../state/accuracy.js").Accuracy} Accuracy */
-
-/** Where a method does not answer, the exact result stands in. @type {Record<string, string>} */
-const REFUSALS = {
-  table: "The table covers κ from 0.01 to 1000 and ψ from 0.001 to 1000, without damping.",
-  stiff: "The stiff limit is that without damping.",
-  ode: "The solver is not let loose on κ above 100000.",
-  exact: "Too stiff to be followed from switch to switch.",
-};
 
 /**
  * The method by name, and its knob as one slider from fast to exact.
@@ -46,9 +39,13 @@ export function mountAccuracyControl(element, onChange) {
   }
 
   return {
-    /** The method that does not answer the present collision, if so. @param {string} method */
+    /**
+     * Where a method does not answer, the exact result stands in.
+     * @param {string} method that does not answer the present collision, if so
+     */
     tell(method) {
-      write(refusal, REFUSALS[method] ?? "");
+      const reason = `accuracy.refusals.${method}`;
+      typeset(refusal, isSaid(reason) ? say(reason) : "");
     },
 
     /** @param {Accuracy} accuracy */
@@ -65,8 +62,9 @@ export function mountAccuracyControl(element, onChange) {
         const now = accuracy[knob.key];
         slider.max = String(knob.notches.length - 1);
         slider.valueAsNumber = nearestNotch(knob, now);
-        slider.setAttribute("aria-label", `From fast to exact: ${knob.name}`);
-        slider.setAttribute("aria-valuetext", `${knob.name} ${now}`);
+        const name = say(`knobs.${knob.key}`);
+        slider.setAttribute("aria-label", say("accuracy.scaleOf", { name }));
+        slider.setAttribute("aria-valuetext", `${name} ${now}`);
         value.textContent = inShort(knob.key, now);
       }
     },
@@ -79,8 +77,8 @@ export function mountAccuracyControl(element, onChange) {
  */
 function inShort(key, value) {
   if (key === "steps") {
-    return `${brief(value)} steps`;
+    return say("accuracy.steps", { steps: brief(value) });
   }
   const power = Math.log10(value);
-  return Number.isInteger(power) ? `to ${powerOfTen(power)}` : `to ${brief(value)}`;
+  return say("accuracy.to", { error: Number.isInteger(power) ? powerOfTen(power) : brief(value) });
 }

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { collisionQuery } from "../api/queries.js";
+import { say } from "../format/words.js";
 import { accuracyOf, sameAccuracy } from "../state/accuracy.js";
 import { scaleFor } from "../state/map-view.js";
 import { PARAMETERS } from "../state/parameters.js";
@@ -61,7 +62,7 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
     /** @type {import("../scenes/scene.js").Scene["pictures"]} */
     pictures: {
       result: {
-        title: "Result",
+        title: say("result.title"),
         request: () => ({ call: "collision", query: collisionQuery(present().collision) }),
         parameters: () => ({ ...present().collision }),
         table: () => loaded && resultTable(loaded),

@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+
 /**
  * @typedef {import("../scenes/scene.js").Scene} Scene
  * @typedef {import("../scenes/scene.js").Page} Page
@@ -27,7 +29,7 @@ export function createDeferredScene(isShown, load, page, onMounted) {
     const mount = await load().catch(() => null);
     isComing = false;
     if (!mount) {
-      page.reportLost("A part of the page did not arrive");
+      page.reportLost(say("server.partMissing"));
       return;
     }
     const state = page.present();

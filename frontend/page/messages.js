@@ -10,6 +10,7 @@ export function mountMessage(line) {
   const frame = /** @type {HTMLElement} */ (line.parentElement);
   const close = document.createElement("button");
   let truth = "";
+  let language = "";
   close.type = "button";
   close.className = "message-close";
   close.setAttribute("aria-label", words("messages.close"));
@@ -19,15 +20,20 @@ export function mountMessage(line) {
   /** @param {string} text */
   function show(text) {
     frame.hidden = text === "";
+    line.lang = language;
     if (line.textContent !== text) {
       line.textContent = text;
     }
   }
 
   return {
-    /** @param {string} text */
-    say(text) {
+    /**
+     * @param {string} text
+     * @param {string} [spoken] its language, where it is not that of the page
+     */
+    say(text, spoken = "") {
       truth = text;
+      language = spoken;
       show(text);
     },
 

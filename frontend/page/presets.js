@@ -1,12 +1,16 @@
 // @ts-check
 
+import { say } from "../format/words.js";
 import { sameCollision } from "../state/parameters.js";
-import { letterOf } from "../state/presets.js";
+import { letterOf, textsOf } from "../state/presets.js";
 import { isAt } from "../state/url.js";
 import { byTestId } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
-/** @typedef {import("../api/answers.js").Preset} Preset */
+/**
+ * @typedef {import("../api/answers.js").Preset} Preset
+ * @typedef {{preset: Preset, texts: ReturnType<typeof textsOf>, button: HTMLButtonElement}} Choice
+ */
 
 /**
  * The presets, figures of the paper among them: the letters of Fig. 5 in a row of their own, the others as they come.
@@ -14,7 +18,7 @@ import { typeset } from "../widgets/typeset.js";
  * @param {(preset: Preset, inputTimeStamp: number) => void} onChoose
  */
 export function mountPresets(element, onChoose) {
-  /** @type {{preset: Preset, button: HTMLButtonElement}[]} */
+  /** @type {Choice[]} */
   let choices = [];
   /** @type {import("../state/url.js").PageState | null} */
   let present = null;
@@ -25,19 +29,25 @@ export function mountPresets(element, onChoose) {
   element.append(rows, source);
 
   function mark() {
-    /** @type {Preset | null} */
+    /** @type {Choice | null} */
     let chosen = null;
-    for (const { preset, button } of choices) {
+    for (const each of choices) {
+      const { preset, button } = each;
       const isChosen = present !== null && sameCollision(preset, present.collision);
-      chosen = isChosen ? preset : chosen;
+      chosen = isChosen ? each : chosen;
       // This runs at every step of a drag, where most steps change nothing here.
       if (button.ariaPressed !== String(isChosen)) {
         button.ariaPressed = String(isChosen);
       }
     }
     // What a figure shows is said where it is shown, with its axes.
-    const caption = chosen && present && isAt(present, chosen.link) ? chosen.caption : "";
-    typeset(source, chosen ? `${chosen.title}: ${caption || chosen.source}` : "");
+    if (chosen && present) {
+      const { title, caption, source: work } = chosen.texts;
+      const isHere = caption && isAt(present, chosen.preset.link);
+      tell(source, say("presets.told", { title, text: isHere ? caption : work }), chosen);
+    } else {
+      typeset(source, "");
+    }
     markSpheres();
   }
 
@@ -48,26 +58,31 @@ export function mountPresets(element, onChoose) {
       state?.scene === "spheres"
         ? choices.find(({ preset }) => preset.caption && isAt(state, preset.link))
         : undefined;
-    typeset(
-      byTestId("figure-caption"),
-      found ? `${found.preset.title}. ${found.preset.caption}` : "",
-    );
+    const place = byTestId("figure-caption");
+    if (found) {
+      tell(place, `${found.texts.title}. ${found.texts.caption}`, found);
+    } else {
+      typeset(place, "");
+    }
   }
 
   /** @param {Preset} preset */
   function choice(preset) {
     const button = document.createElement("button");
     const letter = letterOf(preset);
+    const texts = textsOf(preset);
+    const { title, language } = texts;
     button.type = "button";
     button.className = letter ? "chip letter" : "chip";
     button.dataset.preset = preset.id;
-    button.textContent = letter ?? preset.title.split(" · ")[0];
+    button.lang = language;
+    button.textContent = letter ?? title.split(" · ")[0];
     if (letter) {
-      button.setAttribute("aria-label", preset.title);
+      button.setAttribute("aria-label", title);
     }
-    button.title = preset.title;
+    button.title = title;
     button.addEventListener("click", (event) => onChoose(preset, event.timeStamp));
-    choices.push({ preset, button });
+    choices.push({ preset, texts, button });
     return button;
   }
 
@@ -77,13 +92,13 @@ export function mountPresets(element, onChoose) {
       choices = [];
       const lettered = presets.filter(letterOf);
       const others = presets.filter((preset) => !letterOf(preset));
-      const letters = row("Fig. 5, a to o", lettered.map(choice));
+      const letters = row(say("presets.letters"), lettered.map(choice));
       letters.classList.add("letters");
       const name = document.createElement("span");
       name.className = "row-name";
-      name.textContent = "Fig. 5";
+      name.textContent = say("presets.figure5");
       letters.prepend(name);
-      rows.replaceChildren(row("Presets", others.map(choice)), letters);
+      rows.replaceChildren(row(say("presets.title"), others.map(choice)), letters);
       letters.hidden = lettered.length === 0;
       mark();
     },
@@ -94,6 +109,16 @@ export function mountPresets(element, onChoose) {
       mark();
     },
   };
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {string} text
+ * @param {Choice} choice whose words it has
+ */
+function tell(element, text, { texts }) {
+  element.lang = texts.language;
+  typeset(element, text);
 }
 
 /**

@@ -11,6 +11,7 @@ import {
   typable,
 } from "../format/number.js";
 import { say } from "../format/words.js";
+import { METHODS, titleOf } from "../state/accuracy.js";
 import { placeWithin } from "../state/scales.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
@@ -78,7 +79,7 @@ export function mountResultStrip(element) {
       if (!element.hasAttribute("data-from-map")) {
         showMain(result, significant);
       }
-      epsilon.title = result.convention;
+      epsilon.title = say("result.convention");
       write(reversals, count(result.reversals));
       write(energyLost, percentage(lostShare(result)));
       write(contactDuration, significant(result.contact_duration));
@@ -88,7 +89,7 @@ export function mountResultStrip(element) {
       typeset(summary, sentence);
       write(
         provenance,
-        `${result.method} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
+        `${titleOf(METHODS, result.method)} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
       );
     },
   };
@@ -103,8 +104,8 @@ function count(value) {
 export function resultTable({ result, sentence }) {
   const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping, psi } = result.parameters;
   return {
-    caption: `The collision: ${sentence}`,
-    headings: ["quantity", "value"],
+    caption: say("result.caption", { sentence }),
+    headings: [say("result.quantity"), say("result.value")],
     rows: [
       ["κ", typable(kappa)],
       ["μ/α", typable(mu)],
@@ -113,12 +114,12 @@ export function resultTable({ result, sentence }) {
       ["ψ", significant(psi ?? Infinity)],
       ["ε_n", significant(result.epsilon_n, 8)],
       ["ε_t", significant(result.epsilon_t, 8)],
-      ["error of ε_t", errorBound(result.error_bound)],
-      ["switches", count(result.switches)],
-      ["turns", count(result.reversals)],
-      ["contact t_c", significant(result.contact_duration, 6)],
+      [say("result.error"), errorBound(result.error_bound)],
+      [say("symbols.switchesName"), count(result.switches)],
+      [say("symbols.turnsName"), count(result.reversals)],
+      [say("result.contact"), significant(result.contact_duration, 6)],
       [say("energy.lost"), percentage(lostShare(result))],
-      ["method", result.method],
+      [say("result.method"), titleOf(METHODS, result.method)],
     ],
   };
 }

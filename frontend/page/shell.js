@@ -59,8 +59,8 @@ export function mountShell({ present, onOption }) {
   language.addEventListener("change", () => onOption({ lang: language.value }));
   share.addEventListener("click", async () => {
     const done = await copyText(new URL(writeAddress(present()), location.href).href);
-    share.textContent = done ? "Copied" : "Copy it from the address bar";
-    byTestId("said").textContent = done ? "The link to this collision is copied" : "";
+    share.textContent = say(done ? "page.copied" : "page.copyYourself");
+    byTestId("said").textContent = done ? say("page.linkCopied") : "";
     clearTimeout(timer);
     timer = setTimeout(() => {
       share.textContent = usualName;

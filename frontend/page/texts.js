@@ -18,4 +18,5 @@ export function takeTexts() {
       element.setAttribute(attribute, say(element.getAttribute(name) ?? ""));
     }
   }
+  document.title = say("page.title");
 }

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { addressOf, curlOf, fileName, frameOf, pythonOf, serverOf } from "../format/requests.js";
+import { say } from "../format/words.js";
 import { writeAddress } from "../state/url.js";
 import { find } from "../widgets/find.js";
 import { download } from "./download.js";
@@ -11,21 +12,21 @@ const GAP = 4;
 
 /**
  * The files that hold what a picture shows, each with what a request says for it.
- * @type {{text: string, title?: string, form: Record<string, string>}[]}
+ * @type {{text: () => string, title?: () => string, form: Record<string, string>}[]}
  */
 const FILES = [
-  { text: "CSV", form: { format: "csv" } },
+  { text: () => "CSV", form: { format: "csv" } },
   {
-    text: "CSV 0,5",
-    title: "CSV with decimal commas, semicolons between cells",
+    text: () => "CSV 0,5",
+    title: () => say("menu.withCommas"),
     form: { format: "csv", separator: "semicolon", decimal: "comma" },
   },
   {
-    text: "CSV + units",
-    title: "CSV below a line of units and convention",
+    text: () => say("menu.units"),
+    title: () => say("menu.withUnits"),
     form: { format: "csv", header: "units" },
   },
-  { text: "JSON", form: { format: "json" } },
+  { text: () => "JSON", form: { format: "json" } },
 ];
 
 /**
@@ -40,7 +41,8 @@ const FILES = [
  * What the menu of a picture needs to know of it, asked when the menu is used.
  * @typedef {object} Picture
  * @property {string} title
- * @property {() => string} [subject] what of several things it shows, for titles and names of files
+ * @property {() => string} [subject] what of several things it shows, for names of files
+ * @property {() => string} [subjectTitle] the same for titles, where it is no symbol
  * @property {() => import("../format/requests.js").Request} request whose answer it shows
  * @property {() => Record<string, number | string>} parameters that name its files
  * @property {() => import("../figures/tables.js").Table | null} [table] null while there is no picture
@@ -68,13 +70,13 @@ export function mountPictureMenu(panel, picture, present, load) {
   button.type = "button";
   button.textContent = "⋯";
   button.dataset.testid = `menu-${name}`;
-  button.setAttribute("aria-label", `${picture.title}: data, picture, request`);
+  button.setAttribute("aria-label", say("menu.label", { title: picture.title }));
   button.popoverTargetElement = menu;
 
-  const data = FILES.map(({ text, title = "", form }) => {
+  const data = FILES.map(({ text, title, form }) => {
     const link = document.createElement("a");
-    link.textContent = text;
-    link.title = title;
+    link.textContent = text();
+    link.title = title?.() ?? "";
     link.addEventListener("click", async (event) => {
       const request = picture.request();
       if (request.body) {
@@ -88,7 +90,7 @@ export function mountPictureMenu(panel, picture, present, load) {
   const pictures = /** @type {("png" | "svg")[]} */ (["png", "svg"]).map((format) =>
     item(format.toUpperCase(), () => save(format)),
   );
-  const table = item("Table", () => {
+  const table = item(say("sheet.table"), () => {
     const rows = picture.table?.();
     if (rows) {
       openSheet(picture.title, [tableElement(rows)]);
@@ -96,20 +98,20 @@ export function mountPictureMenu(panel, picture, present, load) {
   });
   const groups = [
     group(
-      "Data",
+      say("menu.data"),
       data.map(({ link }) => link),
     ),
-    group("Picture", hasPicture ? pictures : []),
+    group(say("menu.picture"), hasPicture ? pictures : []),
   ];
   const [dataGroup, pictureGroup] = groups;
   menu.append(
     ...groups,
     table,
-    item("API request", showRequest),
-    item("Embed", () =>
-      openSheet(`Embed: ${picture.title}`, [
-        codeBlock("HTML", frameOf(embedAddress(), `Restitution: ${picture.title}`)),
-        codeBlock("Address", embedAddress()),
+    item(say("menu.request"), showRequest),
+    item(say("menu.embed"), () =>
+      openSheet(say("menu.embedOf", { title: picture.title }), [
+        codeBlock("HTML", frameOf(embedAddress(), say("menu.frame", { title: picture.title }))),
+        codeBlock(say("menu.address"), embedAddress()),
       ]),
     ),
   );
@@ -186,21 +188,26 @@ export function mountPictureMenu(panel, picture, present, load) {
     return [name, picture.subject?.() ?? []].flat().join("-");
   }
 
+  function titleWithSubject() {
+    const { title } = picture;
+    const subject = picture.subjectTitle?.() ?? picture.subject?.();
+    return subject ? say("menu.of", { title, subject: MARKUP[subject] ?? subject }) : title;
+  }
+
   /** @param {"png" | "svg"} format */
   async function save(format) {
     const element = drawn();
-    const subject = picture.subject?.() ?? "";
     const parameters = Object.entries(picture.parameters());
     const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
     const options = {
       format,
-      title: `${picture.title}${subject && ` of ${MARKUP[subject] ?? subject}`} · ${numbers.join(", ")}`,
+      title: `${titleWithSubject()} · ${numbers.join(", ")}`,
       fileName: fileName(fileSubject(), picture.parameters(), format),
       loadFont: load.font,
     };
     const saving = await import("./save-drawing.js").catch(() => null);
     if (!saving) {
-      load.reportLost("What saves pictures did not arrive");
+      load.reportLost(say("server.saverMissing"));
     } else if (element instanceof SVGSVGElement) {
       saving.saveDrawing(element, options);
     } else {
@@ -211,7 +218,7 @@ export function mountPictureMenu(panel, picture, present, load) {
 
   function showRequest() {
     const request = picture.request();
-    openSheet(`Request: ${picture.title}`, [
+    openSheet(say("menu.requestOf", { title: picture.title }), [
       codeBlock("curl", curlOf(request, serverOf(location.href))),
       codeBlock("Python", pythonOf(request, serverOf(location.href))),
     ]);

@@ -1,5 +1,6 @@
 // @ts-check
 
+import { say } from "../format/words.js";
 import { copyText } from "../widgets/copy.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
@@ -30,12 +31,15 @@ export function codeBlock(name, text) {
   caption.textContent = name;
   copy.className = "quiet";
   copy.type = "button";
-  copy.textContent = "Copy";
-  copy.setAttribute("aria-label", `Copy ${name}`);
+  copy.textContent = say("sheet.copy");
+  copy.setAttribute("aria-label", say("sheet.copyNamed", { name }));
   copy.addEventListener("click", async () => {
     const done = await copyText(text);
-    copy.textContent = done ? "Copied" : "Select it and copy";
-    copy.setAttribute("aria-label", done ? `${name} is copied` : "Select it and copy");
+    copy.textContent = say(done ? "page.copied" : "sheet.copyYourself");
+    copy.setAttribute(
+      "aria-label",
+      done ? say("sheet.copied", { name }) : say("sheet.copyYourself"),
+    );
   });
   code.textContent = text;
   code.tabIndex = 0;
@@ -53,7 +57,7 @@ export function tableElement({ caption, headings, rows, here }) {
   frame.className = "table-frame";
   frame.tabIndex = 0;
   frame.setAttribute("role", "region");
-  frame.setAttribute("aria-label", "Table");
+  frame.setAttribute("aria-label", say("sheet.table"));
   const captionText = document.createElement("span");
   typeset(captionText, caption);
   table.createCaption().append(captionText);

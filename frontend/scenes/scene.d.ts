@@ -16,10 +16,10 @@ export interface Page {
   setAccuracy(patch: Partial<Accuracy>, change?: Partial<Change>): void;
   /** Shows ε_t as far as it is known before the server has answered, or that it is not. */
   preview(reading: { epsilon_t: number; switches: number } | null): void;
-  /** Tells a refusal to the reader. */
-  say(reason: string): void;
+  /** Tells a refusal to the reader, with its language where that is not the one of the page. */
+  say(reason: string, language?: string): void;
   /** What is to be done about an error of the client, a refusal as is said. */
-  explainBy(refuse: (reason: string) => void): (error: unknown) => void;
+  explainBy(refuse: (reason: string, language: string) => void): (error: unknown) => void;
   /** The same with every refusal told to the reader. */
   explain(error: unknown): void;
   reportLost(reason: string): void;

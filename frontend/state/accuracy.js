@@ -1,5 +1,8 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+import { number } from "./requirements.js";
+
 /**
  * How ε_t is to be got: by which method, and how exactly. Named as the API names it.
  * @typedef {object} Accuracy
@@ -14,10 +17,9 @@
  * A number that trades speed for accuracy.
  * @typedef {object} Knob
  * @property {"tolerance" | "steps" | "rtol"} key
- * @property {string} name
  * @property {number} initial
  * @property {(value: number) => boolean} admits
- * @property {string} requirement in words that follow "must be"
+ * @property {() => string} requirement what `admits` wants, in words
  * @property {number[]} notches from fast to exact
  */
 
@@ -25,52 +27,55 @@
 export const KNOBS = {
   tolerance: {
     key: "tolerance",
-    name: "tolerance",
     initial: 1e-10,
     admits: (value) => value >= 1e-13 && value <= 1,
-    requirement: "from 1e-13 to 1",
+    requirement: () => say("requirements.within", { least: "1e-13", most: "1" }),
     notches: powersOfTen(-1, -13),
   },
   steps: {
     key: "steps",
-    name: "steps per contact",
     initial: 50,
     admits: (value) => Number.isInteger(value) && value >= 4 && value <= 1e6,
-    requirement: "an integer from 4 to 1000000",
+    requirement: () => say("requirements.integer", { least: "4", most: "1000000" }),
     notches: [
       10, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000, 2000, 5000, 1e4, 2e4, 5e4, 1e5,
     ],
   },
   rtol: {
     key: "rtol",
-    name: "relative tolerance",
     initial: 1e-9,
     admits: (value) => value >= 1e-13 && value <= 0.1,
-    requirement: "from 1e-13 to 0.1",
+    requirement: () => say("requirements.within", { least: "1e-13", most: number(0.1) }),
     notches: powersOfTen(-2, -13),
   },
 };
 
 /**
+ * What can be chosen, each with its title in the language of the page.
+ * @typedef {{readonly id: string, readonly title: string}} Choice
+ */
+
+/**
  * The methods by name, each with its knob, if it has one.
- * @type {{id: string, title: string, knob: Knob | null}[]}
+ * @type {(Choice & {knob: Knob | null})[]}
  */
 export const METHODS = [
-  { id: "auto", title: "auto", knob: KNOBS.tolerance },
-  { id: "exact", title: "exact", knob: null },
-  { id: "table", title: "table", knob: null },
-  { id: "stiff", title: "stiff limit", knob: null },
-  { id: "coulomb", title: "Coulomb’s law", knob: null },
-  { id: "timestep", title: "time steps", knob: KNOBS.steps },
-  { id: "ode", title: "ODE solver", knob: KNOBS.rtol },
+  methodOf("auto", KNOBS.tolerance),
+  methodOf("exact"),
+  methodOf("table"),
+  methodOf("stiff"),
+  methodOf("coulomb"),
+  methodOf("timestep", KNOBS.steps),
+  methodOf("ode", KNOBS.rtol),
 ];
 
-/** @type {{id: string, title: string}[]} */
-export const INTEGRATORS = [
-  { id: "velocity_verlet", title: "velocity Verlet" },
-  { id: "symplectic_euler", title: "symplectic Euler" },
-  { id: "forward_euler", title: "forward Euler" },
-];
+/** @type {Choice[]} */
+export const INTEGRATORS = ["velocity_verlet", "symplectic_euler", "forward_euler"].map((id) => ({
+  id,
+  get title() {
+    return say(`integrators.${id}`);
+  },
+}));
 
 /** @type {Accuracy} */
 export const USUAL_ACCURACY = {
@@ -190,7 +195,22 @@ function powersOfTen(first, last) {
 }
 
 /**
- * @param {{id: string, title: string}[]} choices
+ * @param {string} id
+ * @param {Knob | null} knob
+ */
+function methodOf(id, knob = null) {
+  return {
+    id,
+    knob,
+    // asked for once the page has its words
+    get title() {
+      return say(`methods.${id}`);
+    },
+  };
+}
+
+/**
+ * @param {Choice[]} choices
  * @param {string} wanted
  */
 export function titleOf(choices, wanted) {

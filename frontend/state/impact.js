@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+import { between, notNegative as notNegativeNumber, number } from "./requirements.js";
 import { linearScale, logScale, powerScale, stepAbove } from "./scales.js";
 
 /**
@@ -35,63 +37,56 @@ const notNegative = (/** @type {number} */ value) => value >= 0;
 const FIRST = [
   {
     key: "normal_velocity_m_s",
-    name: "normal velocity",
     unit: "m/s",
     admits: positive,
-    requirement: "a velocity greater than 0, in m/s",
+    requirement: () => say("requirements.velocity", { unit: "m/s" }),
     scale: logScale(0.01, 100),
     ticks: [0.01, 0.1, 1, 10, 100],
   },
   {
     key: "tangential_velocity_m_s",
-    name: "tangential velocity",
     unit: "m/s",
     admits: notNegative,
-    requirement: "a velocity, 0 or greater, in m/s",
+    requirement: () => say("requirements.velocityOrNone", { unit: "m/s" }),
     scale: logScale(0.01, 100),
     ticks: [0.01, 0.1, 1, 10, 100],
   },
   {
     key: "radius_m",
-    name: "radius",
     unit: "m",
     admits: positive,
-    requirement: "a length greater than 0, in m",
+    requirement: () => say("requirements.length", { unit: "m" }),
     scale: logScale(1e-5, 1),
     ticks: [1e-5, 1e-4, 1e-3, 0.01, 0.1, 1],
   },
   {
     key: "youngs_modulus_pa",
-    name: "Young’s modulus",
     unit: "Pa",
     admits: positive,
-    requirement: "a modulus greater than 0, in Pa",
+    requirement: () => say("requirements.modulus", { unit: "Pa" }),
     scale: logScale(1e5, 1e12),
     ticks: [1e6, 1e8, 1e10, 1e12],
   },
   {
     key: "friction_coefficient",
-    name: "friction",
     admits: notNegative,
-    requirement: "a number, 0 or greater",
+    requirement: notNegativeNumber,
     scale: powerScale(0, 1, 1),
     ticks: [0, 0.25, 0.5, 0.75, 1],
   },
   {
     key: "tangential_stiffness_n_per_m",
-    name: "tangential stiffness",
     unit: "N/m",
     admits: positive,
-    requirement: "a stiffness greater than 0, in N/m",
+    requirement: () => say("requirements.stiffness", { unit: "N/m" }),
     scale: logScale(1e3, 1e13),
     ticks: [1e3, 1e5, 1e7, 1e9, 1e11, 1e13],
   },
   {
     key: "dissipative_constant_s",
-    name: "dissipative constant",
     unit: "s",
     admits: notNegative,
-    requirement: "a time, 0 or greater, in s",
+    requirement: () => say("requirements.timeOrNone", { unit: "s" }),
     scale: powerScale(0, 1e-4, 0.25),
     ticks: [0, 1e-7, 1e-6, 1e-5, 1e-4],
   },
@@ -102,53 +97,50 @@ export const IMPACT_PARAMETERS = [
   ...FIRST,
   {
     key: "normal_restitution",
-    name: "normal restitution",
     // The service finds the damping down to there.
     admits: (value) => value >= 1.5e-50 && value <= 1,
-    requirement: "a number from 1.5e-50 to 1",
+    requirement: between(1.5e-50, 1),
     scale: powerScale(0.01, 1, 1),
     ticks: [0.01, 0.5, 1],
     folded: true,
   },
-  density("density_kg_m3", "density"),
-  poissonRatio("poisson_ratio", "Poisson’s ratio"),
-  ofSecond("radius_m", "radius_2_m", "second radius"),
-  density("density_2_kg_m3", "second density"),
-  ofSecond("youngs_modulus_pa", "youngs_modulus_2_pa", "second modulus"),
-  poissonRatio("poisson_ratio_2", "second Poisson’s ratio"),
+  density("density_kg_m3"),
+  poissonRatio("poisson_ratio"),
+  ofSecond("radius_m", "radius_2_m"),
+  density("density_2_kg_m3"),
+  ofSecond("youngs_modulus_pa", "youngs_modulus_2_pa"),
+  poissonRatio("poisson_ratio_2"),
 ];
 
-/** @param {ImpactKey} key @param {string} name @returns {ImpactParameter} */
-function density(key, name) {
+/** @param {ImpactKey} key @returns {ImpactParameter} */
+function density(key) {
   return {
     key,
-    name,
     unit: "kg/m³",
     admits: positive,
-    requirement: "a density greater than 0, in kg/m³",
+    requirement: () => say("requirements.density", { unit: "kg/m³" }),
     scale: logScale(10, 2e4),
     ticks: [10, 100, 1e3, 1e4],
     folded: true,
   };
 }
 
-/** @param {ImpactKey} key @param {string} name @returns {ImpactParameter} */
-function poissonRatio(key, name) {
+/** @param {ImpactKey} key @returns {ImpactParameter} */
+function poissonRatio(key) {
   return {
     key,
-    name,
     admits: (value) => value > -1 && value <= 0.5,
-    requirement: "a number above −1, at most 0.5",
+    requirement: () => say("requirements.poissonRatio", { most: number(0.5) }),
     scale: powerScale(0, 0.5, 1),
     ticks: [0, 0.25, 0.5],
     folded: true,
   };
 }
 
-/** A parameter of the first body for the second. @param {ImpactKey} like @param {ImpactKey} key @param {string} name */
-function ofSecond(like, key, name) {
+/** A parameter of the first body for the second. @param {ImpactKey} like @param {ImpactKey} key */
+function ofSecond(like, key) {
   const found = /** @type {ImpactParameter} */ (FIRST.find((parameter) => parameter.key === like));
-  return { ...found, key, name, folded: true };
+  return { ...found, key, folded: true };
 }
 
 /**

@@ -1,17 +1,16 @@
 // @ts-check
 
-import { shortened } from "../format/words.js";
+import { between, notNegative, positive } from "./requirements.js";
 import { powerScale, logScale } from "./scales.js";
 
 /**
  * A parameter of the collision, named as the API names it.
  * @typedef {object} Parameter
  * @property {"kappa" | "mu_over_alpha" | "gt_over_gn" | "damping"} key
- * @property {string} name in words
  * @property {string} [unit] of its values; a field takes any of the same dimension
  * @property {number} initial
  * @property {(value: number) => boolean} admits
- * @property {string} requirement what `admits` wants, in words that follow "must be"
+ * @property {() => string} requirement what `admits` wants, in words
  * @property {import("./scales.js").Scale} scale of the slider; a value beyond its ends is still allowed
  * @property {number[]} ticks
  */
@@ -24,7 +23,7 @@ export const SPIN_SHARE = {
   key: "spin_share",
   initial: 0,
   admits: (value) => value >= 0 && value <= 1,
-  requirement: "a number from 0 to 1",
+  requirement: between(0, 1),
 };
 
 /**
@@ -49,38 +48,34 @@ export const SLIDER_STEPS = 1000;
 export const PARAMETERS = [
   {
     key: "kappa",
-    name: "tangential stiffness",
     initial: 63,
     admits: (value) => value > 0,
-    requirement: "a number greater than 0",
+    requirement: positive,
     scale: logScale(0.1, 1000),
     ticks: [0.1, 1, 10, 100, 1000],
   },
   {
     key: "mu_over_alpha",
-    name: "friction",
     initial: 1.4,
     admits: (value) => value >= 0,
-    requirement: "a number, 0 or greater",
+    requirement: notNegative,
     scale: powerScale(0, 4, 1),
     ticks: [0, 1, 2, 3, 4],
   },
   {
     // Half of the paper's letters a … o lie below 0.5: the square root gives them half of the slider.
     key: "gt_over_gn",
-    name: "velocity ratio",
     initial: 1.358,
     admits: (value) => value >= 0,
-    requirement: "a number, 0 or greater",
+    requirement: notNegative,
     scale: powerScale(0, 4, 0.5),
     ticks: [0, 0.1, 0.5, 1, 2, 4],
   },
   {
     key: "damping",
-    name: "viscous damping",
     initial: 0,
     admits: (value) => value >= 0 && value <= 1e30,
-    requirement: "a number from 0 to 1e30",
+    requirement: between(0, 1e30),
     scale: powerScale(0, 1.5, 0.5),
     ticks: [0, 0.1, 0.5, 1, 1.5],
   },
@@ -118,16 +113,6 @@ export function collisionOfImpact({ alpha, ...answer }) {
 /** @param {number} value */
 function rounded(value) {
   return Number(value.toPrecision(12));
-}
-
-/**
- * What is wrong with a text, in words.
- * @param {string} name
- * @param {string} requirement
- * @param {string} text
- */
-export function misfit(name, requirement, text) {
-  return `${name} must be ${requirement}${text && `, not “${shortened(text)}”`}`;
 }
 
 /**

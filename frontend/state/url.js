@@ -1,12 +1,13 @@
 // @ts-check
 
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
-import { knownLanguages } from "../format/words.js";
+import { knownLanguages, say } from "../format/words.js";
 import { INTEGRATORS, KNOBS, METHODS, USUAL_ACCURACY } from "./accuracy.js";
 import { IMPACT_PARAMETERS, impactOf, INERTIAS, SECONDS } from "./impact.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
-import { BOUNCES, misfit, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
+import { BOUNCES, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
+import { misfit, misread } from "./requirements.js";
 import { SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
@@ -160,7 +161,7 @@ function readImpact(query, problems) {
     impact[parameter.key] = readNumber(query, parameter, problems);
   }
   if (impact.normal_restitution !== null && impact.dissipative_constant_s !== null) {
-    problems.push("ε_n and A tell the same: ε_n is taken");
+    problems.push(say("address.toldTwice"));
     impact.dissipative_constant_s = null;
   }
   return impact;
@@ -183,18 +184,8 @@ function readNumber(query, { key, admits, requirement }, problems) {
   }
   /** @type {Record<string, string>} */
   const symbols = PLAIN_SYMBOLS;
-  problems.push(misread(symbols[key] ?? key, requirement, text));
+  problems.push(misread(symbols[key] ?? key, requirement(), text));
   return null;
-}
-
-/**
- * @param {string} name
- * @param {string} requirement
- * @param {string | null} text
- */
-function misread(name, requirement, text) {
-  const mark = text?.includes(",") ? ", with a decimal point" : "";
-  return misfit(name, requirement + mark, text ?? "");
 }
 
 /**
@@ -207,7 +198,7 @@ function readAlpha(query, problems) {
   if (value !== null && value > 0 && value <= 1) {
     return value;
   }
-  problems.push(misread("α", "greater than 0, at most 1", text));
+  problems.push(misread("α", say("requirements.share"), text ?? ""));
   return SOLID_ALPHA;
 }
 
@@ -222,7 +213,7 @@ function readAccuracy(query, problems, usual) {
     const value = text === null ? usual[key] : parseNumber(text);
     const isAllowed = value !== null && admits(value);
     if (!isAllowed) {
-      problems.push(misread(key, requirement, text));
+      problems.push(misread(key, requirement(), text ?? ""));
     }
     return [key, isAllowed ? value : usual[key]];
   });
@@ -243,7 +234,7 @@ function readAccuracy(query, problems, usual) {
 function readWord(query, key, allowed, problems, usual = allowed[0]) {
   const text = query.get(key);
   if (text !== null && !allowed.includes(text)) {
-    problems.push(misfit(key, allowed.join(" or "), text));
+    problems.push(misfit(key, allowed.join(` ${say("address.or")} `), text));
   }
   return text !== null && allowed.includes(text) ? text : usual;
 }

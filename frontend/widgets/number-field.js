@@ -3,7 +3,8 @@
 import { typable } from "../format/number.js";
 import { PLAIN_SYMBOLS } from "../format/symbols.js";
 import { decimalMark, say, shortened } from "../format/words.js";
-import { misfit, parseTyped, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
+import { parseTyped, SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
+import { misfit } from "../state/requirements.js";
 
 /** After so many ms without a key, a number is taken for typed. */
 const TYPING_PAUSE = 600;
@@ -21,10 +22,12 @@ const USUAL_LENGTH = 7;
  * @param {(value: number | null, change: import("../state/store.js").Change) => void} onChange told null for what is worked out of the others
  */
 export function createNumberField(field, problem, parameter, onChange) {
-  const { admits, requirement, name, unit } = parameter;
+  const { admits, unit } = parameter;
+  const requirement = parameter.requirement();
   const symbol = PLAIN_SYMBOLS[parameter.key];
   const unmet = misfit(symbol, requirement, "");
-  const subject = unit ? `the ${name}` : symbol;
+  const name = say(`parameters.${parameter.key}`);
+  const subject = unit ? say("fields.subject", { name }) : symbol;
   let value = NaN;
   let isWorkedOut = false;
   /** What was before anything was typed. @type {number | null} */
@@ -136,7 +139,7 @@ export function createNumberField(field, problem, parameter, onChange) {
     field.value = text;
     problem.dataset.asks = "";
     problem.append(
-      `${shortened(text)}: which is meant?`,
+      say("fields.which", { text: shortened(text) }),
       ...readings.map((reading) => {
         const button = document.createElement("button");
         button.type = "button";

@@ -2,6 +2,7 @@
 
 import { brief, typable } from "../format/number.js";
 import { PLAIN_SYMBOLS, SYMBOLS } from "../format/symbols.js";
+import { say } from "../format/words.js";
 import { SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 import { find } from "./find.js";
 import { createNumberField } from "./number-field.js";
@@ -22,7 +23,8 @@ export function mountParameterControl(parent, parameter, onChange) {
   const problem = find(".parameter-problem", root);
   const hook = parameter.key.replaceAll("_", "-");
   const plainSymbol = PLAIN_SYMBOLS[parameter.key];
-  const name = parameter.unit ? `${parameter.name}, ${parameter.unit}` : parameter.name;
+  const bare = say(`parameters.${parameter.key}`);
+  const name = parameter.unit ? `${bare}, ${parameter.unit}` : bare;
   /** What a reset goes back to. @type {number | null | undefined} */
   let usual;
   const number = createNumberField(field, problem, parameter, onChange);
@@ -70,17 +72,18 @@ export function mountParameterControl(parent, parameter, onChange) {
       root.toggleAttribute("data-worked-out", isWorkedOut);
       if (initial !== usual) {
         usual = initial;
-        const there = usual === null ? "what the bodies make it" : typable(usual);
-        reset.setAttribute("aria-label", `Reset ${plainSymbol} to ${there}`);
-        reset.title = `Back to ${there}`;
+        const there = usual === null ? "bodies" : "value";
+        const values = { symbol: plainSymbol, value: typable(usual ?? 0) };
+        reset.setAttribute("aria-label", say(`controls.reset.${there}`, values));
+        reset.title = say(`controls.back.${there}`, values);
       }
       slider.valueAsNumber = sliderStep(parameter, value);
       slider.setAttribute(
         "aria-valuetext",
-        `${typable(value)}${isWorkedOut ? ", worked out" : ""}`,
+        isWorkedOut ? say("controls.workedOut", { value: typable(value) }) : typable(value),
       );
-      const inUnits = parameter.unit ? `in ${parameter.unit}; other units are converted` : "";
-      field.title = isWorkedOut ? "worked out from the bodies" : inUnits;
+      const inUnits = parameter.unit ? say("controls.inUnits", { unit: parameter.unit }) : "";
+      field.title = isWorkedOut ? say("controls.ofBodies") : inUnits;
       number.show(value, isWorkedOut);
       reset.disabled = number.present() === usual;
     },

@@ -87,7 +87,7 @@ def test_steps_lie_over_the_exact_force(used_tab: Page, server: str, damping: st
     used_tab.get_by_test_id("integrator").select_option("forward_euler")
     expect(used_tab.get_by_test_id("overlay-steps")).to_have_text("In 100 steps of")
     eventually(
-        lambda: expect(used_tab.get_by_test_id("provenance")).to_contain_text("timestep"), used_tab
+        lambda: expect(used_tab.get_by_test_id("provenance")).to_contain_text("time steps"), used_tab
     )
     assert "integrator=forward_euler" in used_tab.url
 
@@ -123,7 +123,7 @@ def test_the_slider_from_fast_to_exact_says_what_each_place_costs(used_tab: Page
         slider.fill(notch)
         settle(used_tab, server)
         said = text(used_tab, "provenance")
-        assert said.startswith("timestep ±")
+        assert said.startswith("time steps ±")
         assert said.endswith("s")
         bounds.append(said)
     assert len(set(bounds)) == 3
@@ -141,7 +141,7 @@ def test_numbers_of_another_method_fade_at_once(used_tab: Page, server: str):
     )
     assert has_faded
     settle(used_tab, server)
-    assert text(used_tab, "provenance").startswith("timestep ±")
+    assert text(used_tab, "provenance").startswith("time steps ±")
 
 
 def test_a_method_that_does_not_answer_says_so_and_the_exact_result_stands_in(

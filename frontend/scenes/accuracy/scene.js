@@ -2,11 +2,12 @@
 
 import { errorMapQuery, steppedQuery, stepsQuery } from "../../api/queries.js";
 import { say } from "../../format/words.js";
-import { accuracyQuery, failingOf, inSteps } from "../../state/accuracy.js";
+import { accuracyQuery, failingOf, inSteps, METHODS, titleOf } from "../../state/accuracy.js";
 import { createFollower, isSame } from "../../state/follower.js";
 import { showsSteps } from "../../state/lesson.js";
 import { axesFor, rowsOf } from "../../state/map-view.js";
 import { sameCollision } from "../../state/parameters.js";
+import { REGIONS } from "../../state/tradeoff-options.js";
 import { find } from "../../widgets/find.js";
 import { afterNextFrame } from "../../widgets/painted.js";
 import { mountCalculator } from "./calculator.js";
@@ -225,6 +226,7 @@ export function mountAccuracy(page) {
       tradeoff: {
         title: say("tradeoff.title"),
         subject: () => present().region,
+        subjectTitle: () => titleOf(REGIONS, present().region),
         request: () => ({ call: "tradeoff", query: { scene: present().region } }),
         parameters: () => ({}),
         table: () => tradeoff && tradeoffTable(tradeoff),
@@ -232,6 +234,7 @@ export function mountAccuracy(page) {
       error_map: {
         title: say("errorMap.picture"),
         subject: () => failingOf(present().accuracy).method,
+        subjectTitle: () => titleOf(METHODS, failingOf(present().accuracy).method),
         request() {
           const state = present();
           const wish = errors?.wish ?? {

@@ -260,6 +260,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       map: {
         title: say("map.title"),
         subject: () => present().map,
+        subjectTitle: () =>
+          present().map === "switches" ? say("symbols.switchesName") : present().map,
         request() {
           const { view, muOverAlpha } = shownMap ?? mapWish(present(), false, null);
           return { call: "map", query: mapQuery({ view, muOverAlpha, counts: FULL_MAP }) };

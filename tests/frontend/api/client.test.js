@@ -123,8 +123,15 @@ test("a refusal is told in the server's own words", async () => {
 
 test("a server that is busy, gone or breaks off may be asked again", async () => {
   const gone = createClient({ fetch: () => Promise.reject(new TypeError("failed to fetch")) });
-  for (const client of [clientOf({}, { status: 503 }).client, clientOf('{"time":').client, gone]) {
-    await assert.rejects(client.trace(COLLISION), Unreachable);
+  const clients = {
+    busy: clientOf({}, { status: 503 }).client,
+    brokenOff: clientOf('{"time":').client,
+  };
+  for (const [reason, client] of Object.entries({ ...clients, silent: gone })) {
+    await assert.rejects(
+      client.trace(COLLISION),
+      (error) => error instanceof Unreachable && error.reason === reason,
+    );
   }
 });
 
