@@ -87,7 +87,8 @@ def test_steps_lie_over_the_exact_force(used_tab: Page, server: str, damping: st
     used_tab.get_by_test_id("integrator").select_option("forward_euler")
     expect(used_tab.get_by_test_id("overlay-steps")).to_have_text("In 100 steps of")
     eventually(
-        lambda: expect(used_tab.get_by_test_id("provenance")).to_contain_text("time steps"), used_tab
+        lambda: expect(used_tab.get_by_test_id("provenance")).to_contain_text("time steps"),
+        used_tab,
     )
     assert "integrator=forward_euler" in used_tab.url
 
