@@ -138,7 +138,9 @@ def on_map(page: Page, rng: np.random.Generator) -> None:
 
 def contact_in_form(page: Page, known: dict[str, dict]) -> tuple[dict, dict[str, float]]:
     """What the fields say, as a body of `/scaling` without its impact, and the velocities."""
-    material = known[page.get_by_test_id("material").input_value()]
+    chosen = page.get_by_test_id("material").input_value()
+    assert chosen, "the materials are not here yet"
+    material = known[chosen]
     values: dict[str, float | str] = {}
     for hook, name in IMPACT_PARAMETERS.items():
         parameter = page.locator(f'[data-parameter="{hook}"]')
