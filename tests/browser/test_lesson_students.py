@@ -101,7 +101,7 @@ def test_a_careful_student_reaches_every_goal_leaves_it_and_reaches_it_again(
     for pair, step in zip(pairs.all(), PREDICTIONS, strict=True):
         thought, reality = (line.inner_text() for line in pair.locator("b").all())
         recalled = texts.say("predict.recall", guess=thought, came=reality)
-        assert came[step] == recalled
+        assert came[step] == " ".join(recalled.split())
         if step != "reversal":
             mark = float(thought.replace("−", "-").replace(",", "."))
             assert mark == pytest.approx(PREDICTIONS[step], abs=0.06)
