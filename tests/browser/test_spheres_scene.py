@@ -152,7 +152,7 @@ def test_hollow_spheres_give_the_paper_axis_their_alpha(page: Page, server: str)
 
     def alpha_on_axis(text: str) -> None:
         title = page.get_by_test_id("map").locator(".xtitle")
-        assert title.text_content() == text
+        assert " ".join(title.text_content().split()) == text
 
     page.get_by_test_id("scenes").get_by_text("Explorer").click()
     eventually(lambda: alpha_on_axis("ακ with α = 0.4"), page)

@@ -74,7 +74,7 @@ test("mapFigure relabels the horizontal axis and leaves the picture", () => {
 test("mapFigure says in words whose α the axis ακ has", () => {
   const title = (...axis) => figure("epsilon_t", "linear", ...axis).layout.xaxis.title.text;
   assert.equal(title("alpha_kappa"), "<i>ακ</i> with <i>α</i>\u00a0=\u00a02/7, solid spheres");
-  assert.equal(title("alpha_kappa", 0.4), "<i>ακ</i> with <i>α</i> = 0.4");
+  assert.equal(title("alpha_kappa", 0.4), "<i>ακ</i> with <i>α</i>\u00a0=\u00a00.4");
   assert.equal(title("kappa", 0.4), "<i>κ</i>");
 });
 
