@@ -24,6 +24,8 @@ NOTO = PACKAGES / "@expo-google-fonts" / "noto-sans-math"
 FIRST = {
     *range(0x20, 0x7F),
     *map(ord, "\u00a0°±²³µ·¹¼½×ÄÖÜßäöü"),
+    # of French and Spanish, whose names stand in the list of languages
+    *map(ord, "«»¡¿ÀÂÇÉÈÊÎÔÑàâçèéêëîïôùûœáíóúñ"),
     *map(ord, "\u2009\u200a\u202f–—‘’“”…′⁰⁴⁵⁶⁷⁸⁹⁻←→↺∂∏∑−√∞∫≈≠≤≥✓✗"),
 }
 GREEK = {*range(0x384, 0x3CF), 0x3D1, 0x3D5, 0x3F1, 0x3F5}
@@ -32,7 +34,7 @@ DERIVATIVES = {0x1E56, 0x1E57, *range(0x1E8A, 0x1E8E), *range(0x300, 0x30D)}
 EXTENDED = {
     *({*range(0xA0, 0x180)} - FIRST),
     *(*GREEK, *DERIVATIVES),
-    *map(ord, "‐‑‒―‚„†‡•‰″‹›⁄€ℓ™⁺⁼⁽⁾₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎↑↓↔↕∆∕"),
+    *map(ord, "‐‑‒―‚„†‡•‰″‹›⁄€ℓ™⁺⁼⁽⁾₀₁₂₃₄₅₆₇₈₉₊₋₌₍₎↑↓↔↕↖↗↘↙∆∕"),
     *map(ord, "■□▲△▶▷▼▽◀◁◆◇○●★☆①②③④⑤⑥⑦⑧⑨"),
 }
 SYMBOLS = {*range(0x20, 0x7F), *range(0x391, 0x3CA), 0x3D1, 0x3D5, 0x3F1, 0x3F5, *DERIVATIVES}

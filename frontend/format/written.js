@@ -69,7 +69,7 @@ const FACTORS = [
  * @type {[RegExp, string][]}
  */
 const NO_VALUES = [
-  [/^[<>≤≥⩽⩾] ?=? ?[-+.\d]/, "bound"],
+  [/^[<>≤≥\u2a7d\u2a7e] ?=? ?[-+.\d]/, "bound"],
   [/^(?:±|\+\/?-) ?[.\d]/, "margin"],
   [/\d ?(?:±|\+\/-) ?[.\d]|\d\(\d+\)/, "uncertain"],
 ];

@@ -100,6 +100,8 @@ def leave_as_found(page: Page) -> None:
     page.keyboard.press("Escape")
     # what was laid out for paper
     page.evaluate("() => dispatchEvent(new Event('afterprint'))")
+    # and what the lesson was answered
+    page.evaluate("() => sessionStorage.clear()")
     page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
     page.set_viewport_size({"width": 1280, "height": 720})
 

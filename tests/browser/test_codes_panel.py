@@ -24,7 +24,9 @@ def shows(page: Page, answer: dict) -> None:
         if each["lines"]:
             assert item.locator("pre").text_content() == "\n".join(each["lines"])
         else:
-            assert f"and κ = {each['kappa']:.4g} at any velocity" in item.text_content()
+            assert f"and κ = {each['kappa']:.4g} at any velocity" in item.text_content().replace(
+                "\u00a0", " "
+            )
         restitution = item.locator(".codes-restitution").text_content()
         if each["epsilon_t"] is None:
             assert restitution.startswith("another")
