@@ -39,7 +39,7 @@ EXTENDED = {
 }
 SYMBOLS = {*range(0x20, 0x7F), *range(0x391, 0x3CA), 0x3D1, 0x3D5, 0x3F1, 0x3F5, *DERIVATIVES}
 # What Inter lacks of them comes from a mathematical face, in the file of the symbols.
-SIGNS_OF_NOTO = "∓≪≫≲≳⋯⬢"
+SIGNS_OF_NOTO = "∓∝≪≫≲≳⋯⬢"
 
 
 def main() -> None:
