@@ -201,7 +201,7 @@ SCENES = {
 }
 
 
-@pytest.mark.parametrize("scene", every_day(["explorer", "lesson"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["explorer", "lesson, goal"], of=SCENES))
 def test_what_a_finger_is_to_hit_is_large_enough(page: Page, server: str, scene: str):
     open_on_phone(page, server, SCENES[scene])
     assert page.evaluate(SIZES_OF_TARGETS, MAIN) == []
