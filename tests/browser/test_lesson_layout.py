@@ -101,7 +101,7 @@ def test_a_first_visit_sees_the_plain_face_and_who_wants_all_finds_it_again(
     browser: Browser, server: str
 ):
     views = [".velocity", ".cut-panel", "[data-testid=method]", "[data-testid=switches]"]
-    always = ["[data-testid=epsilon-t]", "[data-testid=summary]", "#controls", ".force", ".contact"]
+    always = ["[data-testid=epsilon-t]", "[data-testid=summary]", "#controls", ".force", ".bounce"]
 
     def shown(page: Page, selectors: list[str]) -> list[bool]:
         return [page.locator(selector).first.is_visible() for selector in selectors]
