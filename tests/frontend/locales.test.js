@@ -67,6 +67,26 @@ for (const [id, texts] of Object.entries(others)) {
   });
 }
 
+test("what the lesson quotes of the page is there in the same words", () => {
+  for (const [id, texts] of Object.entries(locales)) {
+    const said = Object.entries(texts);
+    const steps = said.filter(([key]) => /^lesson\.steps\..*(text|question|verdicts)/.test(key));
+    const quoted = steps.flatMap(([, text]) =>
+      [...text.matchAll(/[“„«]\u00a0?([^”“»]*?)\u00a0?[”“»]/g)].map(([, words]) => words),
+    );
+    const there = said.filter(([key]) => !key.startsWith("lesson.steps")).map(([, text]) => text);
+    assert.ok(quoted.length > 8, id);
+    assert.deepEqual(
+      quoted.filter((words) => !there.some((text) => text === words || isCutAt(words, text))),
+      [],
+      id,
+    );
+  }
+});
+
+/** The cut is quoted without what it is at. */
+const isCutAt = (words, text) => text.startsWith(`${words} `) && text.includes("{{held}}");
+
 test("no line ends within a formula", () => {
   for (const [id, texts] of Object.entries(locales)) {
     for (const [key, text] of Object.entries(texts)) {
