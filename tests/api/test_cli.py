@@ -104,14 +104,7 @@ EVERYTHING = [
 
 @pytest.mark.parametrize(("arguments", "change"), EVERYTHING)
 def test_collide_takes_by_options_all_that_the_service_takes(service, arguments, change):
-    body = {
-        "body_1": SPHERE,
-        "body_2": SPHERE,
-        "friction_coefficient": 0.4,
-        "tangential_stiffness_n_per_m": "mindlin",
-        "impact": {"normal_velocity_m_s": 1, "tangential_velocity_m_s": 0.5},
-    }
-    answer = service.read(service.post(body | change, path="/scaling"))
+    answer = service.read(service.post(PAIR | change, path="/scaling"))
     assert body_of(*STEEL, *IMPACT, *arguments) == answer
 
 

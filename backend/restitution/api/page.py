@@ -62,7 +62,17 @@ def compress_page(frontend_directory: Path) -> None:
         entry = _entry(path, path.stat())
         if entry not in _compressed:
             body = _compress(path)
-            _compressed[entry] = _Compressed(body, f'"{hashlib.sha256(body).hexdigest()[:32]}"')
+            _compressed[entry] = _Compressed(body, _tag(body))
+
+
+def _tag(body: bytes) -> str:
+    """Return the entity tag of what is sent."""
+    return f'"{hashlib.sha256(body).hexdigest()[:32]}"'
+
+
+def _brotli(text: bytes, quality: int) -> bytes:
+    packed: bytes = brotli.compress(text, quality=quality, lgwin=22)
+    return packed
 
 
 def _compress(source: Path) -> bytes:
@@ -74,7 +84,7 @@ def _compress(source: Path) -> bytes:
     kept = cache.read(file) if CACHE_FOLDER else None
     if kept is not None and brotli.decompress(kept) == text:
         return kept
-    body: bytes = brotli.compress(text, quality=11, lgwin=22)
+    body = _brotli(text, quality=11)
     if CACHE_FOLDER:
         cache.write(file, body)
     return body
@@ -96,8 +106,7 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
         if "br" in request.headers.get("accept-encoding", ""):
             body = _packed(text)
             headers["Content-Encoding"] = "br"
-        tag = f'"{hashlib.sha256(body).hexdigest()[:32]}"'
-        headers["ETag"] = tag
+        headers["ETag"] = tag = _tag(body)
         if known := known_tag(tag, request.headers.get("if-none-match", "")):
             return Response(None, 304, headers | {"ETag": known})
         return HTMLResponse(body, headers=headers)
@@ -146,7 +155,7 @@ def _versioned_page(directory: Path, state: State, language: str) -> str:
     )
     text = _assembled(directory).replace("<!-- modules -->", announced)
     text = text.replace('lang="en"', f'lang="{language}"', 1)
-    text = text.replace("<!-- words -->", _words(directory, language))
+    text = text.replace("<!-- words -->", _words(_locales(directory, state), language))
     return text.replace('="static/', f'="static/{_version(state)}/')
 
 
@@ -158,28 +167,25 @@ def _assembled(directory: Path) -> str:
 
 @lru_cache(maxsize=20)
 def _packed(text: str) -> bytes:
-    """Return a page compressed by brotli: its words are a third of what gzip makes of them."""
-    body: bytes = brotli.compress(text.encode(), quality=9, lgwin=22)
-    return body
+    """Return a page compressed by brotli: its words are a sixth less than gzip makes of them."""
+    return _brotli(text.encode(), quality=9)
 
 
 @lru_cache(maxsize=2)
-def _languages(directory: Path, state: State) -> tuple[str, ...]:  # noqa: ARG001 - what it hangs on
-    """Return the languages that the page has, the first of which stands in for others."""
-    found = {file.stem for file in (directory / "locales").glob("*.json")}
-    return (USUAL_LANGUAGE, *sorted(found - {USUAL_LANGUAGE}))
-
-
-def _words(directory: Path, language: str) -> str:
-    """Return the words of a language as data; what it lacks is said in the usual one."""
-    all_texts = {
+def _locales(directory: Path, state: State) -> dict[str, dict[str, Any]]:  # noqa: ARG001 - what it hangs on
+    """Return the texts of each language that the page has."""
+    return {
         file.stem: json.loads(file.read_text("utf-8"))
         for file in sorted((directory / "locales").glob("*.json"))
     }
+
+
+def _words(locales: dict[str, dict[str, Any]], language: str) -> str:
+    """Return the words of a language as data; what it lacks is said in the usual one."""
     words = {
         "language": language,
-        "languages": [{"id": name, "name": own["name"]} for name, own in all_texts.items()],
-        "texts": _over(all_texts.get(USUAL_LANGUAGE, {}), all_texts.get(language, {})),
+        "languages": [{"id": name, "name": own["name"]} for name, own in locales.items()],
+        "texts": _over(locales.get(USUAL_LANGUAGE, {}), locales.get(language, {})),
     }
     text = json.dumps(words, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     return f'<script type="application/json" id="words">{text}</script>'
@@ -249,7 +255,7 @@ class _Files(StaticFiles):
             for name in names
         )
         self._state = frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
-        known = _languages(self._directory, self._state)
+        known = _locales(self._directory, self._state)
         spoken = (name for name in (wanted, *_preferred(accepted)) if name in known)
         return _versioned_page(self._directory, self._state, next(spoken, USUAL_LANGUAGE))
 

@@ -21,7 +21,7 @@ from restitution.studies.collision.parameters import (
     CollisionParameters,
     check,
     common_shape,
-    numbers,
+    numbers_of,
 )
 from restitution.studies.collision.trace import COLUMNS, TraceStudy, study_trace
 
@@ -73,14 +73,7 @@ def epsilon_t(
     array([0.  , 0.5 , 0.75])
     """
     dampings = dampings_told(damping, normal_restitution)
-    given = {
-        name: numbers(name, value, annotation)
-        for (name, annotation), value in zip(
-            annotations(CollisionParameters).items(),
-            (kappa, mu_over_alpha, gt_over_gn, dampings),
-            strict=True,
-        )
-    }
+    given = numbers_of(kappa, mu_over_alpha, gt_over_gn, dampings)
     # before they are made flat, so that an element is told by its place
     check(**given)
     shape = common_shape(given)

@@ -27,18 +27,8 @@ SPHERES = (
 )
 PAGE = (
     *("scene", "step", "embed", "theme", "lang", "notes", "handout", "face"),
-    *(
-        "map",
-        "scale",
-        "map_x",
-        "map_y",
-        "shape",
-        "energy",
-        "cut_x",
-        "cut_y",
-        "bounce",
-        "spin_share",
-    ),
+    *("map", "scale", "map_x", "map_y", "shape", "energy"),
+    *("cut_x", "cut_y", "bounce", "spin_share"),
     *("region", "statistic", "wanted_error", "velocity_law", "velocity_scale"),
     *("paper_verdict", "paper_kind"),
 )

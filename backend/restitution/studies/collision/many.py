@@ -7,7 +7,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 import numpy.typing as npt
 
-from restitution.bounds import annotations, chosen
+from restitution.bounds import chosen
 from restitution.errors import ParameterError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
@@ -21,10 +21,9 @@ from restitution.methods.options import Options
 from restitution.studies.collision.dampings import by_damping, refuse_more_dampings
 from restitution.studies.collision.parameters import (
     CONVENTION,
-    CollisionParameters,
     check,
     common_shape,
-    numbers,
+    numbers_of,
 )
 from restitution.studies.tabular import Table, Tabular
 
@@ -130,13 +129,8 @@ def study_batch(
     """
     options = options or Options()
     quantities = chosen("quantities", quantities, tuple(dict.fromkeys((*QUANTITIES, *LISTED))))
-    each = kappa, mu_over_alpha, gt_over_gn, options.damping if damping is None else damping
-    given = {
-        name: numbers(name, value, annotation)
-        for (name, annotation), value in zip(
-            annotations(CollisionParameters).items(), each, strict=True
-        )
-    }
+    told = options.damping if damping is None else damping
+    given = numbers_of(kappa, mu_over_alpha, gt_over_gn, told)
     kappas, frictions, tangentials, etas = given.values()
     check(kappas, frictions, tangentials, etas)
     if len(common_shape(given)) > 1:

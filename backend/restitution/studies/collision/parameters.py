@@ -75,6 +75,22 @@ def numbers(parameter: str, given: npt.ArrayLike, annotation: Any) -> FloatArray
     return array.astype(np.float64, copy=False)
 
 
+def numbers_of(
+    kappa: npt.ArrayLike,
+    mu_over_alpha: npt.ArrayLike,
+    gt_over_gn: npt.ArrayLike,
+    damping: npt.ArrayLike,
+) -> dict[str, FloatArray]:
+    """Return the parameters by their names, each as an array of its own."""
+    given = (kappa, mu_over_alpha, gt_over_gn, damping)
+    return {
+        name: numbers(name, value, annotation)
+        for (name, annotation), value in zip(
+            annotations(CollisionParameters).items(), given, strict=True
+        )
+    }
+
+
 def common_shape(given: Mapping[str, npt.NDArray[Any]]) -> tuple[int, ...]:
     """Return the shape to which parameters are broadcast; `ParameterError` if there is none."""
     try:
