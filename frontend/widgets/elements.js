@@ -30,3 +30,17 @@ export function told(name, className, text) {
   typeset(element, text);
   return element;
 }
+
+/**
+ * The same in a language of its own, as what the server says has one.
+ * @template {keyof HTMLElementTagNameMap} Name
+ * @param {string} language
+ * @param {Name} name
+ * @param {string} text
+ * @returns {HTMLElementTagNameMap[Name]}
+ */
+export function toldIn(language, name, text) {
+  const element = told(name, "", text);
+  element.lang = language;
+  return element;
+}

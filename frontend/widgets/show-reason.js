@@ -1,7 +1,7 @@
 // @ts-check
 
+import { told, toldIn } from "./elements.js";
 import { find } from "./find.js";
-import { typeset } from "./typeset.js";
 
 /**
  * Says over a plot why there is none, or, with nothing to say, shows it again.
@@ -14,18 +14,9 @@ export function showReason(stage, reason, refusal = "") {
   const line = find(".reason", stage);
   line.replaceChildren();
   if (reason) {
-    line.append(said(refusal ? `${reason}: ` : reason));
+    line.append(told("span", "", refusal ? `${reason}: ` : reason));
   }
   if (refusal) {
-    const own = said(refusal);
-    own.lang = "en";
-    line.append(own);
+    line.append(toldIn("en", "span", refusal));
   }
-}
-
-/** @param {string} text */
-function said(text) {
-  const element = document.createElement("span");
-  typeset(element, text);
-  return element;
 }

@@ -3,7 +3,7 @@
 import { duration, inUnits, powerOfTen, significant } from "../../format/number.js";
 import { writeAddress } from "../../state/url.js";
 import { say } from "../../format/words.js";
-import { typeset } from "../../widgets/typeset.js";
+import { make, told } from "../../widgets/elements.js";
 
 /**
  * @typedef {import("../../api/answers.js").CodesAnswer} CodesAnswer
@@ -24,19 +24,15 @@ const GUIDE = "guide/for-dem-codes.html";
  */
 export function showCodes(place, { answer, bodies, steps, state }) {
   const velocity = inUnits(answer.normal_velocity_m_s, "m/s");
-  const intro = paragraph(say("codes.bodies", { bodies, velocity }));
+  const intro = told("p", "", say("codes.bodies", { bodies, velocity }));
   const change = link(say("codes.change"), writeAddress({ ...state, scene: "spheres" }));
-  const list = document.createElement("dl");
+  const list = make("dl", "");
   for (const [name, value] of quantitiesOf(answer, steps)) {
-    const pair = document.createElement("div");
-    pair.append(filled("dt", name), filled("dd", value));
-    list.append(pair);
+    list.append(make("div", "", told("dt", "", name), told("dd", "", value)));
   }
-  const guide = document.createElement("p");
-  guide.append(link(say("codes.guide"), GUIDE));
+  const guide = make("p", "", link(say("codes.guide"), GUIDE));
   intro.append(" ", change);
-  const codes = document.createElement("ul");
-  codes.append(...answer.codes.map(itemOf));
+  const codes = make("ul", "", ...answer.codes.map(itemOf));
   place.replaceChildren(intro, list, codes, guide);
 }
 
@@ -78,51 +74,18 @@ function stepOf(seconds, { needed, error: wanted }) {
 
 /** @param {CodeInput} each */
 function itemOf({ code, style, law, lines, kappa, epsilon_t: epsilon }) {
-  const item = document.createElement("li");
-  const name = holding("h3", code);
-  const input = document.createElement("div");
-  name.append(" ", holding("code", style));
+  const name = make("h3", "", code, " ", make("code", "", style));
+  const input = make("div", "");
   if (lines.length > 0) {
-    input.append(holding("pre", lines.join("\n")));
+    input.append(make("pre", "", lines.join("\n")));
   } else {
     const key = law === "linear" ? "codes.untold" : "codes.none";
-    input.append(paragraph(say(key, { value: significant(kappa) })));
+    input.append(told("p", "", say(key, { value: significant(kappa) })));
   }
-  input.append(paragraph(say(`codes.laws.${style}`), "codes-law"));
+  input.append(told("p", "codes-law", say(`codes.laws.${style}`)));
   const other = say(law === "this" ? "codes.otherDamping" : "codes.otherLaw");
   const restitution = epsilon === null ? other : `ε_t = ${significant(epsilon)}`;
-  item.append(name, input, paragraph(restitution, "codes-restitution"));
-  return item;
-}
-
-/**
- * @param {string} name of an element
- * @param {string} text with symbols
- */
-function filled(name, text) {
-  const element = document.createElement(name);
-  typeset(element, text);
-  return element;
-}
-
-/**
- * @param {string} name of an element
- * @param {string} text as it stands
- */
-function holding(name, text) {
-  const element = document.createElement(name);
-  element.textContent = text;
-  return element;
-}
-
-/**
- * @param {string} text
- * @param {string} [className]
- */
-function paragraph(text, className = "") {
-  const element = filled("p", text);
-  element.className = className;
-  return element;
+  return make("li", "", name, input, told("p", "codes-restitution", restitution));
 }
 
 /**
@@ -130,8 +93,7 @@ function paragraph(text, className = "") {
  * @param {string} address
  */
 function link(text, address) {
-  const element = document.createElement("a");
+  const element = told("a", "", text);
   element.href = address;
-  typeset(element, text);
   return element;
 }

@@ -2,8 +2,8 @@
 
 import { say } from "../../format/words.js";
 import { countOf, grouped, labelOf, VERDICTS } from "../../state/paper.js";
+import { make, toldIn } from "../../widgets/elements.js";
 import { byTestId } from "../../widgets/find.js";
-import { typeset } from "../../widgets/typeset.js";
 
 /**
  * @typedef {import("../../state/paper.js").Statement} Statement
@@ -45,14 +45,14 @@ export function mountPaperList(element, onOpen) {
       const sections = grouped(paper.items, wanted);
       element.replaceChildren(
         ...sections.map(({ id, title, kinds }) => {
-          const section = made("section", "paper-section");
-          const heading = made("h3", "", `${id}  ${title}`);
+          const section = make("section", "paper-section");
+          const heading = make("h3", "", `${id}  ${title}`);
           heading.id = `paper-section-${id.replace(".", "-")}`;
           section.setAttribute("aria-labelledby", heading.id);
           section.append(
             heading,
             ...kinds.flatMap((kind) => [
-              made("h4", "", kind.title),
+              make("h4", "", kind.title),
               ...kind.statements.map((one) => article(one, paper)),
             ]),
           );
@@ -60,7 +60,7 @@ export function mountPaperList(element, onOpen) {
         }),
       );
       if (sections.length === 0) {
-        element.append(made("p", "panel-note", say("paper.none")));
+        element.append(make("p", "panel-note", say("paper.none")));
       }
     },
   };
@@ -74,8 +74,8 @@ function article(statement, { items, corrections, definitions }) {
   const { id, printed, computed, verdict, evidence, link } = statement;
   const label = labelOf(statement, items);
   const correction = corrections.find(({ statements }) => statements.includes(id));
-  const item = made("article", "statement");
-  const name = made("h5", "", label);
+  const item = make("article", "statement");
+  const name = make("h5", "", label);
   const texts = document.createElement("dl");
   const details = document.createElement("details");
   const anchor = document.createElement("a");
@@ -84,10 +84,10 @@ function article(statement, { items, corrections, definitions }) {
   name.id = `statement-${id}`;
   item.setAttribute("aria-labelledby", name.id);
   texts.append(...pair(say("paper.printed"), printed), ...pair(say("paper.computed"), computed));
-  details.append(made("summary", "", say("paper.decided")), quoted("p", evidence));
+  details.append(make("summary", "", say("paper.decided")), quoted("p", evidence));
   if (correction) {
     const { text, statements } = correction;
-    const heading = made("p", "", say("paper.correction", { count: statements.length }));
+    const heading = make("p", "", say("paper.correction", { count: statements.length }));
     details.append(heading, quoted("p", text));
   }
   anchor.href = link;
@@ -106,8 +106,8 @@ function badge(verdict, defines) {
     VERDICTS.find(({ id }) => id === verdict)
   );
   const word = say(`paper.verdicts.${verdict}`);
-  const element = made("p", "verdict");
-  const sign = made("span", "verdict-mark", mark);
+  const element = make("p", "verdict");
+  const sign = make("span", "verdict-mark", mark);
   sign.setAttribute("aria-hidden", "true");
   element.append(sign, defines ? say("paper.verdicts.definition", { verdict: word }) : word);
   return element;
@@ -118,28 +118,12 @@ function badge(verdict, defines) {
  * @param {string} text
  */
 function pair(term, text) {
-  return [made("dt", "", term), quoted("dd", text)];
+  return [make("dt", "", term), quoted("dd", text)];
 }
 
 /**
  * What is of the paper and about it stays in its language.
- * @param {string} name
+ * @param {"p" | "dd"} name
  * @param {string} text with symbols
  */
-function quoted(name, text) {
-  const element = document.createElement(name);
-  element.lang = "en";
-  typeset(element, text);
-  return element;
-}
-
-/**
- * @param {string} name
- * @param {string} className
- */
-function made(name, className, text = "") {
-  const element = document.createElement(name);
-  element.className = className;
-  element.textContent = text;
-  return element;
-}
+const quoted = (name, text) => toldIn("en", name, text);

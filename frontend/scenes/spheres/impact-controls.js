@@ -3,6 +3,7 @@
 import { textsOfMaterial } from "../../format/materials.js";
 import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
 import { say } from "../../format/words.js";
+import { toldIn } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { mountParameterControl } from "../../widgets/parameter-control.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -54,7 +55,11 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
     if (source.dataset.material !== material.id) {
       const { notes, language } = textsOfMaterial(material);
       source.dataset.material = material.id;
-      source.replaceChildren(spoken(material.source, "en"), " · ", spoken(notes, language));
+      source.replaceChildren(
+        toldIn("en", "span", material.source),
+        " · ",
+        toldIn(language, "span", notes),
+      );
     }
   }
 
@@ -145,14 +150,6 @@ function option(material) {
   const made = new Option(name, material.id);
   made.lang = language;
   return made;
-}
-
-/** @param {string} text @param {string} language */
-function spoken(text, language) {
-  const element = document.createElement("span");
-  element.lang = language;
-  typeset(element, text);
-  return element;
 }
 
 /** What is worked out, to four digits. @param {number} value */
