@@ -28,32 +28,42 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawabl
  */
 
 /**
- * How a collision is asked for: with its trace, or, where it switches too often for a picture, without.
- * @param {object} server
- * @param {(collision: Collision, signal: AbortSignal) => Promise<CollisionAnswer>} server.collision
- * @param {(collision: Collision, signal: AbortSignal) => Promise<Trace>} server.trace
- * @param {(collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/answers.js").Answer>} server.answer
+ * @typedef {object} Server
+ * @property {(collision: Collision, signal: AbortSignal) => Promise<CollisionAnswer>} collision
+ * @property {(collision: Collision, signal: AbortSignal) => Promise<Trace>} trace
+ */
+
+/**
+ * A collision as it is exactly: with its trace, or, where it switches too often for a picture, without.
+ * @param {Server} server
+ * @param {Collision} collision
+ * @param {AbortSignal} signal
+ */
+async function loadPictured(server, collision, signal) {
+  if (mayBeTooStiffToDraw(collision)) {
+    const result = await server.collision(collision, signal);
+    if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
+      return { result, trace: null, reason: whyNotDrawn(result) };
+    }
+  }
+  const trace = await server.trace(collision, signal);
+  return { result: trace, trace, reason: "" };
+}
+
+/**
+ * @param {Server} server
+ * @param {Collision} collision
+ * @param {AbortSignal} signal
+ */
+async function loadAlone(server, collision, signal) {
+  return { result: await server.collision(collision, signal), trace: null, reason: "" };
+}
+
+/**
+ * How a collision is asked for.
+ * @param {Server & {answer: (collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/answers.js").Answer>}} server
  */
 export function createCollisionLoad(server) {
-  /**
-   * @param {Collision} collision
-   * @param {boolean} isPictured
-   * @param {AbortSignal} signal
-   */
-  async function loadExactly(collision, isPictured, signal) {
-    if (!isPictured) {
-      return { result: await server.collision(collision, signal), trace: null, reason: "" };
-    }
-    if (mayBeTooStiffToDraw(collision)) {
-      const result = await server.collision(collision, signal);
-      if (result.switches === null || result.switches > MOST_SWITCHES_DRAWN) {
-        return { result, trace: null, reason: whyNotDrawn(result) };
-      }
-    }
-    const trace = await server.trace(collision, signal);
-    return { result: trace, trace, reason: "" };
-  }
-
   /**
    * @param {CollisionWish} wish
    * @param {AbortSignal} signal
@@ -63,7 +73,7 @@ export function createCollisionLoad(server) {
     const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
     const isOffered = canAnswer(accuracy.method, collision);
     const [exactly, answer] = await Promise.all([
-      loadExactly(collision, isPictured, signal),
+      (isPictured ? loadPictured : loadAlone)(server, collision, signal),
       isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
     ]);
     const sentence = sentenceOf(exactly.result);
@@ -85,11 +95,9 @@ export function createCollisionLoad(server) {
 
 /**
  * How a ball is asked for: what it leaves with, and the next collision with its trace.
- * @param {Parameters<typeof createCollisionLoad>[0] & {bounce: (ball: BallWish, signal: AbortSignal) => Promise<Bounces>}} server
+ * @param {Server & {bounce: (ball: BallWish, signal: AbortSignal) => Promise<Bounces>}} server
  */
 export function createBallLoad(server) {
-  const loadCollision = createCollisionLoad(server);
-
   /**
    * @param {BallWish} wish
    * @param {AbortSignal} signal
@@ -101,8 +109,7 @@ export function createBallLoad(server) {
     if (wish.times === 1 || !answer.second) {
       return { answer, trace: null, collision };
     }
-    const change = { dragging: false, inputTimeStamp: 0 };
-    const next = { collision: answer.second, accuracy: USUAL_ACCURACY, change, isPictured: true };
-    return { answer, trace: (await loadCollision(next, signal)).trace, collision };
+    const { trace } = await loadPictured(server, answer.second, signal);
+    return { answer, trace, collision };
   };
 }

@@ -36,6 +36,9 @@ export const BOUNCES = [
   { id: "sphere", partner: "sphere", times: 1 },
 ];
 
+/** That of an address; the usual one where there is none. @param {string} [id] */
+export const bounceOf = (id) => BOUNCES.find((bounce) => bounce.id === id) ?? BOUNCES[0];
+
 /** @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} Collision */
 
 /** α of homogeneous spheres, Eq. 12. */

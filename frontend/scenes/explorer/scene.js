@@ -152,9 +152,10 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   /**
    * The force first; what can wait a frame, after it, and while dragging, map and cut after that.
    * @param {Trace} next
+   * @param {string} sentence about the collision
    * @param {import("../../state/store.js").Change} change
    */
-  function showTrace(next, { dragging, inputTimeStamp }) {
+  function showTrace(next, sentence, { dragging, inputTimeStamp }) {
     const isLight = force.show(next, dragging) && velocity.show(next, true);
     timeCursor.show(next);
     afterNextFrame(() => {
@@ -163,7 +164,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         velocity.show(next, dragging);
       }
       if (!dragging) {
-        force.describe(next);
+        force.describe(next, sentence);
         velocity.describe(next);
         playOnce();
       }
@@ -208,9 +209,9 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         map.settle(answer.result, change.dragging);
       }
       cut.settle(answer.result);
-      bounce.settle(trace ?? answer.result, trace, isPresent);
+      bounce.settle(answer, isPresent);
       if (trace) {
-        showTrace(trace, change);
+        showTrace(trace, answer.sentence, change);
       } else if (isPictured) {
         showNoTrace(answer.reason);
         afterNextFrame(() => announcePainted("force-trace", change.inputTimeStamp));

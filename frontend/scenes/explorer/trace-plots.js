@@ -1,6 +1,5 @@
 // @ts-check
 
-import { sentenceOf } from "../../format/sentence.js";
 import { significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { createPlot } from "../../widgets/plot.js";
@@ -16,11 +15,14 @@ export function mountForceTrace(element) {
   const plot = createTracePlot(element, forceFigure);
   return {
     ...plot,
-    /** @param {import("../../api/answers.js").Trace} trace */
-    describe(trace) {
+    /**
+     * @param {import("../../api/answers.js").Trace} trace
+     * @param {string} sentence about the collision
+     */
+    describe(trace, sentence) {
       element.setAttribute(
         "aria-label",
-        `${say("force.described", { count: trace.switches })} ${sentenceOf(trace)}`,
+        `${say("force.described", { count: trace.switches })} ${sentence}`,
       );
     },
   };

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { axesFor, sameAxes } from "../../state/map-view.js";
-import { BOUNCES, sameCollision } from "../../state/parameters.js";
+import { bounceOf, sameCollision } from "../../state/parameters.js";
 
 /**
  * @typedef {import("../../api/queries.js").MapWish} MapWish
@@ -74,7 +74,7 @@ export function isEnoughCut(asked, wish) {
  * @returns {import("../../state/collision-load.js").BallWish}
  */
 export function ballWish({ collision, alpha, bounce, spin_share: spinShare }) {
-  const { partner, times } = BOUNCES.find(({ id }) => id === bounce) ?? BOUNCES[0];
+  const { partner, times } = bounceOf(bounce);
   return { collision, alpha, partner, spinShare, times };
 }
 

@@ -1,25 +1,22 @@
 // @ts-check
 
-import { sentenceOf } from "../../../format/sentence.js";
 import { say } from "../../../format/words.js";
 import { significant } from "../../../format/number.js";
-import { BOUNCES, sameCollision } from "../../../state/parameters.js";
+import { bounceOf, sameCollision } from "../../../state/parameters.js";
 import { byTestId, find } from "../../../widgets/find.js";
 import { currentTheme } from "../../../widgets/theme.js";
 import { clockOf, phaseAt, shareAt } from "./clock.js";
 import { contactMotion, mirrored, stateAt } from "./contact-motion.js";
 import { mountBallControls } from "./controls.js";
-import { motionsOf } from "./motions.js";
+import { bounceInWords, motionsOf } from "./motions.js";
 import { mountNumbers } from "./numbers.js";
 import { mountPicture } from "./picture.js";
 import { createPlayback } from "./playback.js";
 import { mountRibbon } from "./ribbon.js";
-import { bounceInWords } from "./motions.js";
 import { REGIME_KEYS } from "./view.js";
 
 /**
  * @typedef {import("../../../api/answers.js").Bounces} Bounces
- * @typedef {import("../../../api/answers.js").Trace} Trace
  * @typedef {import("../../../state/collision-load.js").LoadedBall} LoadedBall
  */
 
@@ -49,8 +46,8 @@ export function mountBounce(panel, { onShare, onOption }) {
   let ball = null;
   /** @type {{epsilonT: number, epsilonN: number, isExact: boolean} | null} */
   let result = null;
-  /** @type {Trace | null} */
-  let trace = null;
+  /** About the collision, where it has a trace. */
+  let sentence = "";
   /** @type {(import("./contact-motion.js").Motion | null)[]} */
   const contacts = [null, null];
   /** @type {import("./motions.js").Motion[] | null} */
@@ -93,7 +90,7 @@ export function mountBounce(panel, { onShare, onOption }) {
     }
     motions = allMotions(state, ball, result);
     numbers.show(motions, result.isExact);
-    const { partner, times } = bounceOf();
+    const { partner, times } = chosen();
     const phase = phaseAt(clock.stretches, playback.share());
     view.draw(
       { motions, times, isWall: partner === "wall", contacts: contacts.slice(0, times) },
@@ -109,9 +106,7 @@ export function mountBounce(panel, { onShare, onOption }) {
     return calm.matches && !playback.isPlaying() && playback.share() === 1;
   }
 
-  function bounceOf() {
-    return BOUNCES.find(({ id }) => id === state?.bounce) ?? BOUNCES[0];
-  }
+  const chosen = () => bounceOf(state?.bounce);
 
   function drawInstant() {
     const phase = phaseAt(clock.stretches, playback.share());
@@ -137,7 +132,7 @@ export function mountBounce(panel, { onShare, onOption }) {
   function whereItIs({ kind, index, progress }) {
     const motion = contacts[index];
     if (kind === "flight") {
-      const { times } = bounceOf();
+      const { times } = chosen();
       const after = index === times ? "bounce.goingOut" : "bounce.between";
       return say(index === 0 ? "bounce.comingIn" : after);
     }
@@ -155,14 +150,14 @@ export function mountBounce(panel, { onShare, onOption }) {
 
   function showClock() {
     if (size) {
-      const traces = Array.from({ length: bounceOf().times }, (_, i) => contacts[i]?.trace ?? null);
+      const traces = Array.from({ length: chosen().times }, (_, i) => contacts[i]?.trace ?? null);
       ribbon.show(clock.stretches, traces, size.width);
     }
   }
 
   function describe() {
     if (motions && !playback.isPlaying()) {
-      const words = [bounceInWords(motions), trace ? sentenceOf(trace) : ""].join(" ").trim();
+      const words = [bounceInWords(motions), sentence].join(" ").trim();
       if (picture.getAttribute("aria-label") !== words) {
         picture.setAttribute("aria-label", words);
       }
@@ -204,7 +199,7 @@ export function mountBounce(panel, { onShare, onOption }) {
       state = next;
       controls.show(next);
       if (isOther) {
-        clock = clockOf(bounceOf().times);
+        clock = clockOf(chosen().times);
         showClock();
       }
       redraw();
@@ -229,22 +224,22 @@ export function mountBounce(panel, { onShare, onOption }) {
       const isBack = answer.second?.direction === -1;
       contacts[1] = second && contactMotion(isBack ? mirrored(second) : second);
       reason.textContent =
-        bounceOf().times === 2 && !loaded.answer.second ? say("bounce.noSecond") : "";
+        chosen().times === 2 && !loaded.answer.second ? say("bounce.noSecond") : "";
       showClock();
       redraw();
     },
 
     /**
-     * @param {import("../../../api/answers.js").CollisionAnswer} answer
-     * @param {Trace | null} next
+     * @param {import("../../../state/collision-load.js").LoadedCollision} answer
      * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
      */
-    settle(answer, next, isPresent) {
+    settle({ result: settled, trace, sentence: told }, isPresent) {
       if (isPresent || !isFromMap) {
-        result = { epsilonT: answer.epsilon_t, epsilonN: answer.epsilon_n, isExact: isPresent };
+        const { epsilon_t: epsilonT, epsilon_n: epsilonN } = trace ?? settled;
+        result = { epsilonT, epsilonN, isExact: isPresent };
       }
-      trace = next;
-      contacts[0] = next && contactMotion(next);
+      sentence = trace ? told : "";
+      contacts[0] = trace && contactMotion(trace);
       showClock();
       redraw();
     },

@@ -198,9 +198,9 @@ function contactParts(part) {
 
 /** What a regime is called. */
 export const REGIME_KEYS = {
-  forward: "bounce.slides",
+  forward: "regimes.forward",
   backward: "bounce.slidesBack",
-  sticking: "bounce.sticks",
+  sticking: "regimes.sticks",
 };
 
 /**
