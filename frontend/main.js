@@ -74,16 +74,20 @@ const page = {
   explain: explainBy(notice.say),
   reportLost: connection.reportLost,
 };
-/** What is not in the first view. @type {[(state: PageState) => boolean, Parameters<typeof createDeferredScene>[1]][]} */
+/** What is not in the first view. @type {[string, (state: PageState) => boolean, Parameters<typeof createDeferredScene>[2]][]} */
 const DEFERRED = [
-  [isScene("spheres"), async () => (await import("./scenes/spheres/scene.js")).mountSpheres],
-  [showsSteps, async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
-  [isScene("paper"), async () => (await import("./scenes/paper/scene.js")).mountPaper],
-  [isScene("lesson"), async () => (await import("./scenes/lesson/scene.js")).mountLesson],
+  [
+    "spheres",
+    isScene("spheres"),
+    async () => (await import("./scenes/spheres/scene.js")).mountSpheres,
+  ],
+  ["accuracy", showsSteps, async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
+  ["paper", isScene("paper"), async () => (await import("./scenes/paper/scene.js")).mountPaper],
+  ["lesson", isScene("lesson"), async () => (await import("./scenes/lesson/scene.js")).mountLesson],
 ];
 const scenes = [
   mountExplorer(page),
-  ...DEFERRED.map(([isShown, load]) => createDeferredScene(isShown, load, page, mountMenus)),
+  ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus)),
 ];
 [collision, scenes[0]].forEach(mountMenus);
 

@@ -330,6 +330,15 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
       return decodeArrays((await get(`${base}/${call}?${marks}`)).body);
     },
 
+    /**
+     * The words of a language that do not come with the page.
+     * @param {string} language
+     * @returns {Promise<Record<string, any>>}
+     */
+    async words(language) {
+      return (await get(`words/${language}`)).body;
+    },
+
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;

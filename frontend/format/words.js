@@ -31,6 +31,11 @@ export function learn(all) {
   mark = parts.find(({ type }) => type === "decimal")?.value ?? ".";
 }
 
+/** Takes words that come later. @param {Words["texts"]} more */
+export function learnMore(more) {
+  words = { ...words, texts: { ...words.texts, ...more } };
+}
+
 /** The language of the page. */
 export const spokenLanguage = () => words.language;
 

@@ -1,6 +1,7 @@
 // @ts-check
 
 import { say } from "../format/words.js";
+import { takeLaterTexts } from "./texts.js";
 
 /**
  * @typedef {import("../scenes/scene.js").Scene} Scene
@@ -8,14 +9,15 @@ import { say } from "../format/words.js";
  */
 
 /**
- * A scene whose code comes when it is first shown; what it has missed it is told then.
+ * A scene whose code, styles and words come when it is first shown; what it has missed it is told then.
+ * @param {string} id
  * @param {(state: import("../state/url.js").PageState) => boolean} isShown
  * @param {() => Promise<(page: Page) => Scene>} load gives what mounts it
  * @param {Page} page
  * @param {(scene: Scene) => void} onMounted
  * @returns {Scene}
  */
-export function createDeferredScene(isShown, load, page, onMounted) {
+export function createDeferredScene(id, isShown, load, page, onMounted) {
   /** @type {Scene | null} */
   let scene = null;
   let isComing = false;
@@ -26,8 +28,14 @@ export function createDeferredScene(isShown, load, page, onMounted) {
 
   async function open() {
     isComing = true;
-    const mount = await load().catch(() => null);
+    const root = document.documentElement;
+    root.toggleAttribute(`data-${id}-coming`, true);
+    const parts = [load(), takeLaterTexts(page.client.words), ...stylesOf(id)];
+    const [mount] = await Promise.all(/** @type {[ReturnType<typeof load>]} */ (parts)).catch(
+      () => [null],
+    );
     isComing = false;
+    root.toggleAttribute(`data-${id}-coming`, false);
     if (!mount) {
       page.reportLost(say("server.partMissing"));
       return;
@@ -90,4 +98,23 @@ export function createDeferredScene(isShown, load, page, onMounted) {
 
     pictures: {},
   };
+}
+
+/**
+ * Lets the style sheets of a scene come, which keep their place among the others.
+ * @param {string} id
+ */
+function stylesOf(id) {
+  const links = document.querySelectorAll(`link[data-comes-with="${id}"]`);
+  return [.../** @type {NodeListOf<HTMLLinkElement>} */ (links)].map(
+    (link) =>
+      new Promise((resolve, reject) => {
+        if (link.sheet) {
+          resolve(null);
+        }
+        link.addEventListener("load", resolve, { once: true });
+        link.addEventListener("error", reject, { once: true });
+        link.disabled = false;
+      }),
+  );
 }

@@ -4,26 +4,23 @@ import { say } from "../format/words.js";
 import { sameAccuracy, USUAL_ACCURACY } from "../state/accuracy.js";
 import { steersOf } from "../state/lesson.js";
 import { ofVisits } from "../state/memory.js";
+import { isPlain, isTwoFaced } from "../state/scenes.js";
 import { byTestId } from "../widgets/find.js";
 
 /** @typedef {import("../state/url.js").PageState} PageState */
 
-/** Scenes with a plain face; what the others are about are numbers that it leaves out. */
-const TWO_FACED = ["explorer", "lesson"];
-
 /**
- * The plain and the expert face of the page, switched where the result says how exact it is. Whoever
- * chose one finds it at the next visit; the lesson begins plain.
+ * The plain and the expert face of the page, switched where the result says how exact it is.
  * @param {(patch: Partial<PageState>) => void} onOption
  */
 export function mountFace(onOption) {
   const root = document.documentElement;
   const accuracy = byTestId("accuracy");
   const button = byTestId("face");
-  let isPlain = true;
+  let isPlainNow = true;
 
   button.addEventListener("click", () => {
-    const face = isPlain ? "expert" : "plain";
+    const face = isPlainNow ? "expert" : "plain";
     ofVisits.remember("face", face);
     onOption({ face });
   });
@@ -31,22 +28,15 @@ export function mountFace(onOption) {
   return {
     /** @param {PageState} state */
     show(state) {
-      const { scene, face, embed } = state;
-      const isTwoFaced = TWO_FACED.includes(scene) && embed === "none";
-      isPlain = isTwoFaced && (face === "usual" ? usualFace(scene) : face) === "plain";
-      root.toggleAttribute("data-plain", isPlain);
-      const isFolded = isPlain && !needsAccuracy(state);
+      isPlainNow = isPlain(state);
+      root.toggleAttribute("data-plain", isPlainNow);
+      const isFolded = isPlainNow && !needsAccuracy(state);
       accuracy.toggleAttribute("data-folded", isFolded);
-      button.hidden = !isTwoFaced;
+      button.hidden = !isTwoFaced(state);
       const other = isFolded ? "page.face.howExact" : "page.face.expert";
-      button.textContent = say(isPlain ? other : "page.face.plain");
+      button.textContent = say(isPlainNow ? other : "page.face.plain");
     },
   };
-}
-
-/** @param {string} scene */
-function usualFace(scene) {
-  return scene !== "lesson" && ofVisits.recall("face") === "expert" ? "expert" : "plain";
 }
 
 /**

@@ -1,22 +1,52 @@
 // @ts-check
 
-import { learn, say } from "../format/words.js";
+import { isSaid, learn, learnMore, say, spokenLanguage } from "../format/words.js";
 import { find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
-/** Takes the words that the server has put into the page, and puts them where its markup names them. */
+/** Takes the words that the server has put into the page. */
 export function takeTexts() {
   learn(JSON.parse(find("#words").textContent ?? ""));
-  for (const element of document.querySelectorAll("[data-say]")) {
-    typeset(/** @type {HTMLElement} */ (element), say(element.getAttribute("data-say") ?? ""));
-  }
-  for (const [name, attribute] of [
-    ["data-say-label", "aria-label"],
-    ["data-say-title", "title"],
-  ]) {
-    for (const element of document.querySelectorAll(`[${name}]`)) {
-      element.setAttribute(attribute, say(element.getAttribute(name) ?? ""));
-    }
-  }
+  putTexts();
   document.title = say("page.title");
 }
+
+/** @type {Promise<void> | null} */
+let coming = null;
+
+/**
+ * Takes the words of what is not in the first view, once.
+ * @param {ReturnType<typeof import("../api/client.js").createClient>["words"]} load
+ */
+export function takeLaterTexts(load) {
+  coming ??= load(spokenLanguage())
+    .then((texts) => {
+      learnMore(texts);
+      putTexts();
+    })
+    .catch((error) => {
+      coming = null;
+      throw error;
+    });
+  return coming;
+}
+
+/** Puts texts where the markup names them, those that are known by now. */
+function putTexts() {
+  for (const [name, put] of PLACES) {
+    for (const element of document.querySelectorAll(`[${name}]`)) {
+      const key = element.getAttribute(name) ?? "";
+      if (isSaid(key)) {
+        put(/** @type {HTMLElement} */ (element), say(key));
+        element.removeAttribute(name);
+      }
+    }
+  }
+}
+
+/** @type {[string, (element: HTMLElement, text: string) => void][]} */
+const PLACES = [
+  ["data-say", typeset],
+  ["data-say-label", (element, text) => element.setAttribute("aria-label", text)],
+  ["data-say-title", (element, text) => element.setAttribute("title", text)],
+];

@@ -134,9 +134,35 @@ def test_what_a_language_lacks_is_said_in_english_and_no_word_is_markup(tmp_path
     assert found["languages"] == [{"id": "de", "name": "Deutsch"}, {"id": "en", "name": "English"}]
 
 
-def test_an_unchanged_page_is_not_sent_again(client):
-    tag = client.get("/").headers["etag"]
-    again = client.get("/", headers={"If-None-Match": tag})
+@pytest.mark.parametrize("language", ["en", "de", "fr", "es"])
+def test_what_is_not_in_the_first_view_comes_with_words_of_its_own(client, language):
+    whole = json.loads((Settings().frontend_directory / f"locales/{language}.json").read_text())
+    first = words(client, f"/?lang={language}")[1]["texts"]
+    later = client.get(f"/words/{language}").json()
+    assert first | later == whole
+    assert set(first) & set(later) == set()
+    assert set(later) == set(page.LATER)
+
+
+def test_words_of_a_language_that_is_not_there_are_the_usual_ones(client):
+    assert client.get("/words/ja").json() == client.get("/words/en").json()
+
+
+def test_the_first_view_says_nothing_that_comes_later():
+    folder = Settings().frontend_directory
+    modules = page._imported(folder / "main.js")
+    # they name texts of their scene without saying them
+    names = {folder / "state" / f"{name}.js" for name in ("lesson", "paper", "tradeoff-options")}
+    parts = [*(modules - names), folder / "index.html", *folder.glob("scenes/explorer/**/*.html")]
+    key = re.compile(rf"""["'`](?:{"|".join(page.LATER)})\.\w+""")
+    found = {part.name: key.findall(part.read_text("utf-8")) for part in parts}
+    assert {name: keys for name, keys in found.items() if keys} == {}
+
+
+@pytest.mark.parametrize("path", ["/", "/words/de"])
+def test_an_unchanged_page_is_not_sent_again(client, path):
+    tag = client.get(path).headers["etag"]
+    again = client.get(path, headers={"If-None-Match": tag})
     assert (again.status_code, again.content) == (304, b"")
 
 

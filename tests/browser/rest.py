@@ -53,8 +53,14 @@ COUNT_PENDING = """(() => {
   count("requestAnimationFrame", "cancelAnimationFrame");
   // A change of colours runs on, from element to element that inherits it.
   const isChanging = () => document.getAnimations().some((one) => one instanceof CSSTransition);
+  // A scene that is not in the first view comes as modules and style sheets.
+  const isComing = () =>
+    document.documentElement.getAttributeNames().some((name) => name.endsWith("-coming"));
   const isResting = () =>
-    underWay === 0 && sets.every((pending) => pending.size === 0) && !isChanging();
+    underWay === 0
+    && sets.every((pending) => pending.size === 0)
+    && !isChanging()
+    && !isComing();
   const frame = () => new Promise((resolve) => {
     direct.requestAnimationFrame.call(window, () => direct.setTimeout.call(window, resolve));
   });
@@ -98,18 +104,20 @@ def rest(page: Page) -> None:
     """Wait until a page has no request, timer or frame before it: what it does, it has done."""
 
     def rests() -> None:
-        try:
-            is_resting = page.evaluate("() => comesToRest()")
-        except Error as error:
-            if "Execution context was destroyed" not in error.message:
-                raise
-            # another document has come
-            is_resting = False
-        assert is_resting, f"{page.url} does not come to rest"
+        assert page.evaluate("() => comesToRest()"), f"{page.url} does not come to rest"
 
     eventually(rests, page)
 
 
 def eventually(check: Callable[[], T], page: Page) -> T:
     """Return what a check returns once it holds; meanwhile the page goes on."""
-    return waiting.eventually(check, lambda seconds: page.wait_for_timeout(1000 * seconds))
+
+    def check_document() -> T:
+        try:
+            return check()
+        except Error as error:
+            if "Execution context was destroyed" not in error.message:
+                raise
+            raise AssertionError("another document has come") from error
+
+    return waiting.eventually(check_document, lambda seconds: page.wait_for_timeout(1000 * seconds))

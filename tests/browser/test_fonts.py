@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from explorer import Witness
+from explorer import ACQUAINTED, Witness
 from fontTools.ttLib import TTFont
 from playwright.sync_api import Browser, Error, Page, Route
 from rest import LARGEST_LAYOUT_SHIFT, WATCH_SHIFTS, eventually, layout_shift, rest
@@ -187,6 +187,7 @@ def test_a_font_that_comes_late_moves_nothing_and_is_measured_anew(
     with browser.new_context(**options) as context:
         late = context.new_page()
         late.add_init_script(WATCH_SHIFTS)
+        late.add_init_script(ACQUAINTED)
         witness = Witness(late, server)
         routes = held(late)
         late.goto("/", wait_until="domcontentloaded")

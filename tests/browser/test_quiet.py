@@ -18,6 +18,8 @@ from rest import (
     rest,
 )
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 WIRE_BYTES = 1_700_000
@@ -146,7 +148,7 @@ def test_the_phenomenon_waits_for_nothing_but_its_own_answer(cold_page: Page, se
         "d", re.compile(".{500}")
     )
     assert max(len(curve["x"]) for curve in trace_of(page, "force-trace")) > 100
-    eventually(lambda: held_are({"map", "cut", "presets"}, held), page)
+    eventually(lambda: held_are({"map", "presets"}, held), page)
     for route in held:
         route.continue_()
     page.unroute_all()
@@ -162,8 +164,15 @@ def held_are(wanted: set[str], held: list[Route]) -> None:
     assert {call_of(route.request.url) for route in held} == wanted
 
 
-def test_the_first_view_takes_few_bytes(cold_page: Page, server: str):
+@pytest.mark.parametrize("face", every_day(["expert"], of=["plain", "expert"]))
+def test_the_first_view_takes_few_bytes(cold_page: Page, server: str, face: str):
     page = cold_page
+
+    def is_compressed() -> None:
+        answer = page.request.head("/assets/plotly.min.js", headers={"Accept-Encoding": "br"})
+        assert answer.headers["content-encoding"] == "br", "plotly.js is still being compressed"
+
+    eventually(is_compressed, page)
     received: dict[str, int] = {}
     client = page.context.new_cdp_session(page)
     client.send("Network.enable")
@@ -171,10 +180,10 @@ def test_the_first_view_takes_few_bytes(cold_page: Page, server: str):
         "Network.loadingFinished",
         lambda event: received.update({event["requestId"]: event["encodedDataLength"]}),
     )
-    page.goto("/")
+    page.goto(f"/?face={face}")
     settle(page, server)
     rest(page)
     total = sum(received.values())
-    print(f"first view: {total / 1e6:.3f} MB over the wire in {len(received)} answers")
+    print(f"first view, {face}: {total / 1e6:.3f} MB over the wire in {len(received)} answers")
     assert len(received) > 10
     assert total <= WIRE_BYTES

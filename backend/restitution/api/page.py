@@ -12,7 +12,6 @@ from typing import Any, NamedTuple
 
 import brotli
 from fastapi import FastAPI, Request, Response
-from fastapi.responses import HTMLResponse
 from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
@@ -35,6 +34,8 @@ PAGE_HEADERS = {
 }
 
 PLOTLY_HEADERS = {"Cache-Control": "public, max-age=86400"}
+
+HTML = "text/html; charset=utf-8"
 
 COMPRESSIBLE = {".css", ".html", ".js", ".json", ".svg"}
 
@@ -98,18 +99,13 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
     def page(request: Request) -> Response:
         accepted = request.headers.get("accept-language", "")
         text = files.page(request.query_params.get("lang", ""), accepted)
-        headers = PAGE_HEADERS | {
-            "Cache-Control": "no-cache",
-            "Vary": "Accept-Encoding, Accept-Language",
-        }
-        body = text.encode()
-        if "br" in request.headers.get("accept-encoding", ""):
-            body = _packed(text)
-            headers["Content-Encoding"] = "br"
-        headers["ETag"] = tag = _tag(body)
-        if known := known_tag(tag, request.headers.get("if-none-match", "")):
-            return Response(None, 304, headers | {"ETag": known})
-        return HTMLResponse(body, headers=headers)
+        vary = "Accept-Encoding, Accept-Language"
+        return _made(request, text, PAGE_HEADERS | {"Content-Type": HTML, "Vary": vary})
+
+    @app.get("/words/{language}", include_in_schema=False)
+    def later_words(request: Request, language: str) -> Response:
+        headers = {"Content-Type": "application/json", "Vary": "Accept-Encoding"}
+        return _made(request, files.later_words(language), headers)
 
     @app.get("/assets/plotly.min.js", include_in_schema=False)
     def plotly(request: Request) -> Response:
@@ -120,7 +116,34 @@ def add_page(app: FastAPI, frontend_directory: Path) -> None:
     app.mount("/static", files, "static")
 
 
+def _made(request: Request, text: str, headers: dict[str, str]) -> Response:
+    """Answer with a text that is made of the page's files: asked for each time, compressed once."""
+    headers["Cache-Control"] = "no-cache"
+    body = text.encode()
+    if "br" in request.headers.get("accept-encoding", ""):
+        body = _packed(text)
+        headers["Content-Encoding"] = "br"
+    headers["ETag"] = tag = _tag(body)
+    if known := known_tag(tag, request.headers.get("if-none-match", "")):
+        return Response(None, 304, headers | {"ETag": known})
+    return Response(body, headers=headers)
+
+
 USUAL_LANGUAGE = "en"
+
+LATER = (
+    "codes",
+    "errorMap",
+    "lesson",
+    "materials",
+    "overlay",
+    "paper",
+    "spheres",
+    "steps",
+    "tradeoff",
+    "warnings",
+)
+"""Texts that come with the scenes that are not in the first view."""
 
 State = frozenset[Entry]
 """The page's files."""
@@ -167,7 +190,7 @@ def _assembled(directory: Path) -> str:
 
 @lru_cache(maxsize=20)
 def _packed(text: str) -> bytes:
-    """Return a page compressed by brotli: its words are a sixth less than gzip makes of them."""
+    """Return a text compressed by brotli: words are a sixth less than gzip makes of them."""
     return _brotli(text.encode(), quality=9)
 
 
@@ -181,14 +204,27 @@ def _locales(directory: Path, state: State) -> dict[str, dict[str, Any]]:  # noq
 
 
 def _words(locales: dict[str, dict[str, Any]], language: str) -> str:
-    """Return the words of a language as data; what it lacks is said in the usual one."""
+    """Return the words of the first view as data."""
     words = {
         "language": language,
         "languages": [{"id": name, "name": own["name"]} for name, own in locales.items()],
-        "texts": _over(locales.get(USUAL_LANGUAGE, {}), locales.get(language, {})),
+        "texts": _texts(locales, language, later=False),
     }
-    text = json.dumps(words, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
+    text = _json(words).replace("<", "\\u003c")
     return f'<script type="application/json" id="words">{text}</script>'
+
+
+def _texts(locales: dict[str, dict[str, Any]], language: str, *, later: bool) -> dict[str, Any]:
+    """Return the texts of a language, of the first view or those that come later.
+
+    What it lacks is said in the usual one.
+    """
+    texts = _over(locales.get(USUAL_LANGUAGE, {}), locales.get(language, {}))
+    return {name: text for name, text in texts.items() if (name in LATER) is later}
+
+
+def _json(value: dict[str, Any]) -> str:
+    return json.dumps(value, ensure_ascii=False, separators=(",", ":"))
 
 
 def _over(usual: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
@@ -249,15 +285,23 @@ class _Files(StaticFiles):
 
         That is the one wanted, else the first of an Accept-Language header, else the usual one.
         """
+        known = self._look()
+        spoken = (name for name in (wanted, *_preferred(accepted)) if name in known)
+        return _versioned_page(self._directory, self._state, next(spoken, USUAL_LANGUAGE))
+
+    def later_words(self, language: str) -> str:
+        """Return the texts of a language that the page does without at first, as JSON."""
+        return _json(_texts(self._look(), language, later=True))
+
+    def _look(self) -> dict[str, dict[str, Any]]:
+        """Take in how the files are now; return the texts of each language."""
         paths = (
             os.path.join(folder, name)  # noqa: PTH118 - asked for with each page, of each file
             for folder, _, names in os.walk(self._directory)
             for name in names
         )
         self._state = frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
-        known = _locales(self._directory, self._state)
-        spoken = (name for name in (wanted, *_preferred(accepted)) if name in known)
-        return _versioned_page(self._directory, self._state, next(spoken, USUAL_LANGUAGE))
+        return _locales(self._directory, self._state)
 
     def get_path(self, scope: Scope) -> str:
         """Return the path of a file in the folder, which knows no versions."""

@@ -41,7 +41,7 @@ class Compression:
 
     def __init__(self, app: ASGIApp) -> None:
         self._texts = GZipMiddleware(app, minimum_size=1000, compresslevel=1)
-        self._arrays = GZipMiddleware(app, minimum_size=100_000, compresslevel=1)
+        self._arrays = GZipMiddleware(app, minimum_size=40_000, compresslevel=1)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer a request."""

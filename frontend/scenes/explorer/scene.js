@@ -7,6 +7,7 @@ import { mapTable } from "../../figures/tables.js";
 import { createFollower } from "../../state/follower.js";
 import { horizontalAxis, placeOnMap, rowsOf } from "../../state/map-view.js";
 import { BOUNCES, sameCollision, SPIN_SHARE } from "../../state/parameters.js";
+import { picturesOf } from "../../state/scenes.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
 import { createBallLoad } from "../../state/collision-load.js";
@@ -33,9 +34,6 @@ import {
  * @typedef {import("../../state/url.js").PageState} PageState
  * @typedef {import("../../api/answers.js").Trace} Trace
  */
-
-/** The lesson stands beside these pictures. */
-const SHOWN_IN = ["explorer", "lesson"];
 
 /** At most so often a map or a cut is asked for, in ms. */
 const PAUSES = { map: 80, cut: 50 };
@@ -134,9 +132,14 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
    * @param {boolean} dragging
    */
   function followMap(state, dragging) {
-    if (SHOWN_IN.includes(state.scene)) {
+    const shown = picturesOf(state);
+    if (shown.map) {
       maps.follow(mapWish(state, dragging, maps.asked()));
+    }
+    if (shown.cut) {
       cuts.follow(cutWish(state, dragging, cuts.asked()));
+    }
+    if (shown.contact) {
       balls.follow(ballWish(state));
     }
   }

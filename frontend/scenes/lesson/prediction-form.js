@@ -64,8 +64,8 @@ function gauge(onCommit) {
   const ends = make(
     "div",
     "gauge-ends",
-    told("span", "", say("lesson.predict.least")),
-    told("span", "", say("lesson.predict.most")),
+    told("span", "", say("result.least")),
+    told("span", "", say("result.most")),
   );
   return [make("div", "predict-gauge", handle, value, ends), commit];
 }

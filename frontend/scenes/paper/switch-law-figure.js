@@ -41,7 +41,7 @@ export function switchLawFigure({ kappa, most, law }, theme, size) {
       xaxis: { ...decadeAxis(theme, kappa), title: axisTitle(PLOT_SYMBOLS.kappa, 4, theme) },
       yaxis: {
         ...plainAxis(theme, [Math.log10(1.7), highest], ticks, COUNTS.map(brief)),
-        title: axisTitle("most switches", 4, theme, 12),
+        title: axisTitle(say("paper.switchLaw.most"), 4, theme, 12),
       },
     },
   };

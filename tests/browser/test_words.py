@@ -1,0 +1,90 @@
+"""Every word on the page is from the locales, and each is there when its scene is."""
+
+import json
+import re
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, Route
+from rest import rest
+
+from cases import every_day
+
+pytestmark = pytest.mark.browser
+
+SCENES = {
+    "explorer": "face=expert&energy=shown&damping=0.2",
+    "plain": "face=plain",
+    "second bounce": "bounce=wall_twice&map=switches",
+    "real spheres": "scene=spheres&normal_restitution=0.9&radius_2_m=0.01&material=steel-on-steel",
+    "speed and accuracy": "scene=accuracy&method=timestep",
+    "paper": "scene=paper",
+    "hand-out": "scene=lesson&handout=shown&notes=shown",
+    "panel": "embed=force",
+    **{f"lesson, step {step}": f"scene=lesson&step={step}&notes=shown" for step in range(1, 11)},
+}
+
+# Names that are the same in all languages.
+NAMES = r"https?://\S+|CSV|JSON|PNG|SVG|LAMMPS|YADE|LIGGGHTS|MercuryDPM|MFIX|log"
+
+# What is to be read or heard, but for code, names, and what the service says in English.
+SAID = """() => {
+  document.querySelectorAll("details").forEach((e) => { e.open = true; });
+  const said = [];
+  const note = (e, text) => {
+    const isOurs = !e.closest("body [lang=en], code, pre, .credit, h1, noscript,"
+      + "[data-testid=language], [data-testid=tradeoff-source]");
+    if (text && isOurs && e.checkVisibility({visibilityProperty: true})) said.push(text.trim());
+  };
+  for (const e of document.querySelectorAll("body, body *:not(script, style, template)")) {
+    for (const name of ["aria-label", "title", "alt", "placeholder"]) note(e, e.getAttribute(name));
+    for (const node of e.childNodes) if (node.nodeType === 3) note(e, node.data);
+  }
+  return said;
+}"""
+
+WORD = re.compile(r"[A-Za-z]{3,}")
+
+
+def marked(texts: Any) -> Any:
+    """Return texts whose letters carry a mark; what is put into them by name does not."""
+    if isinstance(texts, dict):
+        return {key: marked(text) for key, text in texts.items()}
+    parts = re.split(r"({{\w+}})", texts)
+    return "".join(
+        part if part.startswith("{{") else re.sub(r"[A-Za-z]", "\\g<0>\u0325", part)
+        for part in parts
+    )
+
+
+def mark_words(page: Page) -> None:
+    """Let the server's words come marked, those of the page and those that come later."""
+
+    def mark_page(route: Route) -> None:
+        response = route.fetch()
+        before, given, after = re.split(
+            r'(?<=id="words">)(.*?)(?=</script>)', response.text(), maxsplit=1
+        )
+        words = json.loads(given)
+        words["texts"] = marked(words["texts"])
+        changed = json.dumps(words).replace("<", "\\u003c")
+        route.fulfill(response=response, body=before + changed + after)
+
+    def mark_later(route: Route) -> None:
+        response = route.fetch()
+        route.fulfill(response=response, json=marked(response.json()))
+
+    page.route(re.compile(r"/\?"), mark_page)
+    page.route("**/words/*", mark_later)
+
+
+@pytest.mark.parametrize(
+    "scene", every_day(["explorer", "real spheres", "speed and accuracy"], of=SCENES)
+)
+def test_every_word_is_from_the_locales(page: Page, scene: str):
+    mark_words(page)
+    page.goto(f"/?{SCENES[scene]}")
+    rest(page)
+    said = page.evaluate(SAID)
+    assert len(said) > 5
+    assert [text for text in said if WORD.search(re.sub(NAMES, "", text))] == []
