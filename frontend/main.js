@@ -14,9 +14,9 @@ import { mountPictureMenu } from "./pictures/picture-menu.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
-import { createCollisionLoad } from "./state/collision-load.js";
-import { createConnection } from "./state/connection.js";
-import { createLatest } from "./state/latest.js";
+import { createCollisionLoad } from "./state/loading/collision-load.js";
+import { createConnection } from "./state/loading/connection.js";
+import { createLatest } from "./state/loading/latest.js";
 import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { SCENES } from "./state/scenes.js";
@@ -172,7 +172,7 @@ function follow(state, previous, change) {
   scenes.forEach((scene) => scene.follow(state, previous, change));
 }
 
-/** @type {Parameters<typeof createLatest<import("./state/collision-load.js").CollisionWish, import("./state/collision-load.js").LoadedCollision>>[0]["onAnswer"]} */
+/** @type {Parameters<typeof createLatest<import("./state/loading/collision-load.js").CollisionWish, import("./state/loading/collision-load.js").LoadedCollision>>[0]["onAnswer"]} */
 function settle(answer, wish) {
   const now = store.get();
   const isPresent =

@@ -29,7 +29,7 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
       setCollision({ [parameter.key]: value ?? parameter.initial }, change),
     ),
   }));
-  /** @type {import("../state/collision-load.js").LoadedCollision | null} */
+  /** @type {import("../state/loading/collision-load.js").LoadedCollision | null} */
   let loaded = null;
 
   return {

@@ -17,7 +17,7 @@ import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 import { write } from "../widgets/write.js";
 
-/** @typedef {Pick<import("../state/collision-load.js").LoadedCollision, "result" | "sentence">} Answered */
+/** @typedef {Pick<import("../state/loading/collision-load.js").LoadedCollision, "result" | "sentence">} Answered */
 
 /**
  * The strip with ε_t and what else is to be said of the collision.

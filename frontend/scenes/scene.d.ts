@@ -2,7 +2,7 @@ import type { createClient } from "../api/client.js";
 import type { Preset } from "../api/answers.js";
 import type { Picture } from "../pictures/picture-menu.js";
 import type { Accuracy } from "../state/accuracy.js";
-import type { CollisionWish, LoadedCollision } from "../state/collision-load.js";
+import type { CollisionWish, LoadedCollision } from "../state/loading/collision-load.js";
 import type { Collision } from "../state/parameters.js";
 import type { Change } from "../state/store.js";
 import type { PageState } from "../state/url.js";

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { textsOfMaterial } from "../../format/materials.js";
-import { createFollower, isSame } from "../../state/follower.js";
+import { createFollower, isSame } from "../../state/loading/follower.js";
 import { contactBody, materialOf, valuesOf } from "../../state/impact.js";
 import { PARAMETERS } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { accuracyQuery, canAnswer, failingOf } from "../../state/accuracy.js";
-import { isSame } from "../../state/follower.js";
+import { isSame } from "../../state/loading/follower.js";
 import { axesFor, sameAxes } from "../../state/map-view.js";
 
 /**

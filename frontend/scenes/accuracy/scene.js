@@ -3,7 +3,7 @@
 import { errorMapQuery, steppedQuery, stepsQuery } from "../../api/queries.js";
 import { say } from "../../format/words.js";
 import { accuracyQuery, failingOf, inSteps, METHODS, titleOf } from "../../state/accuracy.js";
-import { createFollower, isSame } from "../../state/follower.js";
+import { createFollower, isSame } from "../../state/loading/follower.js";
 import { showsSteps } from "../../state/lesson.js";
 import { axesFor, rowsOf } from "../../state/map-view.js";
 import { sameCollision } from "../../state/parameters.js";

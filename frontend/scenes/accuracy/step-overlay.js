@@ -4,7 +4,7 @@ import { errorBound, significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { INTEGRATORS } from "../../state/accuracy.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
 import { typeset } from "../../widgets/typeset.js";
 import { overlayFigure } from "./overlay-figure.js";

@@ -5,7 +5,7 @@ import { accuracyQuery, METHODS } from "../../state/accuracy.js";
 import { REGIONS, STATISTICS } from "../../state/tradeoff-options.js";
 import { choices, choose, onChoice } from "../../widgets/choices.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { currentTheme, onThemeChange } from "../../widgets/theme.js";
 import { seriesOf, tradeoffFigure } from "./tradeoff-figure.js";
 

@@ -8,11 +8,11 @@ import { SOLID_ALPHA } from "../../state/parameters.js";
 import { lettersOf } from "../../state/presets.js";
 import { isBeyond } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
-import { MAP_AXES, mountCrosshair } from "../../widgets/crosshair.js";
+import { MAP_AXES, mountCrosshair } from "../../widgets/plots/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createMapLegend } from "../../widgets/map-legend.js";
-import { createPlot } from "../../widgets/plot.js";
-import { createSurface } from "../../widgets/surface.js";
+import { createMapLegend } from "../../widgets/plots/map-legend.js";
+import { createPlot } from "../../widgets/plots/plot.js";
+import { createSurface } from "../../widgets/plots/surface.js";
 import { onThemeChange } from "../../widgets/theme.js";
 
 /**

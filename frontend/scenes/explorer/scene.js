@@ -4,13 +4,13 @@ import { bounceQuery, cutQuery, mapQuery, traceQuery } from "../../api/queries.j
 import { say } from "../../format/words.js";
 import { mostSwitches } from "../../figures/map-figure.js";
 import { mapTable } from "../../figures/tables.js";
-import { createFollower } from "../../state/follower.js";
+import { createFollower } from "../../state/loading/follower.js";
 import { horizontalAxis, placeOnMap, rowsOf } from "../../state/map-view.js";
 import { BOUNCES, sameCollision, SPIN_SHARE } from "../../state/parameters.js";
 import { picturesOf } from "../../state/scenes.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
-import { createBallLoad } from "../../state/collision-load.js";
+import { createBallLoad } from "../../state/loading/collision-load.js";
 import { mountBounce } from "./bounce/bounce.js";
 import { mountCut } from "./cut/cut.js";
 import { mountEnergyToggle } from "./energy-toggle.js";

@@ -4,7 +4,7 @@ import { TRACE_MARGIN } from "../../figures/plot-area.js";
 import { significant } from "../../format/number.js";
 import { SYMBOLS } from "../../format/symbols.js";
 import { find } from "../../widgets/find.js";
-import { layOver } from "../../widgets/overlay.js";
+import { layOver } from "../../widgets/plots/overlay.js";
 
 /** @typedef {import("../../api/answers.js").Trace} Trace */
 

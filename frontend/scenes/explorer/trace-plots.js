@@ -2,7 +2,7 @@
 
 import { significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
 import { forceFigure } from "./force-figure.js";
 import { velocityFigure } from "./velocity-figure.js";

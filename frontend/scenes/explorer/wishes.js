@@ -71,7 +71,7 @@ export function isEnoughCut(asked, wish) {
 /**
  * The ball that belongs to a state.
  * @param {Pick<PageState, "collision" | "alpha" | "bounce" | "spin_share">} state
- * @returns {import("../../state/collision-load.js").BallWish}
+ * @returns {import("../../state/loading/collision-load.js").BallWish}
  */
 export function ballWish({ collision, alpha, bounce, spin_share: spinShare }) {
   const { partner, times } = bounceOf(bounce);
@@ -80,8 +80,8 @@ export function ballWish({ collision, alpha, bounce, spin_share: spinShare }) {
 
 /**
  * Whether what was asked for does: its factors hold for every collision, the next collision does not.
- * @param {import("../../state/collision-load.js").BallWish} asked
- * @param {import("../../state/collision-load.js").BallWish} wish
+ * @param {import("../../state/loading/collision-load.js").BallWish} asked
+ * @param {import("../../state/loading/collision-load.js").BallWish} wish
  */
 export function isEnoughBall(asked, wish) {
   const isSameBody = asked.alpha === wish.alpha && asked.partner === wish.partner;

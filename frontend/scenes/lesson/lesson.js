@@ -235,7 +235,7 @@ export function mountOpenLesson(element, handoutElement, { set }, { record, pred
     },
 
     /**
-     * @param {import("../../state/collision-load.js").LoadedCollision} answer of the present collision
+     * @param {import("../../state/loading/collision-load.js").LoadedCollision} answer of the present collision
      * @param {boolean} dragging
      */
     settle({ result, trace }, dragging) {

@@ -6,7 +6,7 @@ import { KIND_CHOICES, VERDICT_CHOICES } from "../../state/paper.js";
 import { readAddress } from "../../state/url.js";
 import { choices, choose, onChoice } from "../../widgets/choices.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { typeset } from "../../widgets/typeset.js";
 import { collapseFigure, COLLAPSE_COLORS, spreadOf } from "./collapse-figure.js";
 import { createLaws } from "./laws.js";

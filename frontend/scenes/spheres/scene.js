@@ -5,7 +5,7 @@ import { mapFigure } from "../../figures/map-figure.js";
 import { MAP_MARGIN } from "../../figures/plot-area.js";
 import { mapTable } from "../../figures/tables.js";
 import { say } from "../../format/words.js";
-import { createFollower, isSame } from "../../state/follower.js";
+import { createFollower, isSame } from "../../state/loading/follower.js";
 import {
   contactBody,
   impactOf,
@@ -24,10 +24,10 @@ import {
 } from "../../state/map-view.js";
 import { collisionOfImpact, SOLID_ALPHA } from "../../state/parameters.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createMark } from "../../widgets/mark.js";
-import { layOver } from "../../widgets/overlay.js";
+import { createMark } from "../../widgets/plots/mark.js";
+import { layOver } from "../../widgets/plots/overlay.js";
 import { afterNextFrame, announcePainted } from "../../widgets/painted.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { mountImpactControls } from "./impact-controls.js";
 import { createImpactResult } from "./impact-result.js";
 import { epsilonBy, mountSphereCut } from "./sphere-cut.js";

@@ -4,7 +4,7 @@ import { valueAt } from "../../figures/sample.js";
 import { significant } from "../../format/number.js";
 import { clamp } from "../../state/scales.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
 import { sphereCutFigure } from "./sphere-cut-figure.js";
 

@@ -4,12 +4,12 @@ import { typable } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { clamp, isBeyond, placeWithin } from "../../state/scales.js";
 import { choose, chooseShape, onChoice } from "../../widgets/choices.js";
-import { mountCrosshair } from "../../widgets/crosshair.js";
+import { mountCrosshair } from "../../widgets/plots/crosshair.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { createMapLegend } from "../../widgets/map-legend.js";
-import { createPlot } from "../../widgets/plot.js";
+import { createMapLegend } from "../../widgets/plots/map-legend.js";
+import { createPlot } from "../../widgets/plots/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
-import { createSurface } from "../../widgets/surface.js";
+import { createSurface } from "../../widgets/plots/surface.js";
 import { onThemeChange } from "../../widgets/theme.js";
 import { velocityMapFigure } from "./velocity-map-figure.js";
 
@@ -20,7 +20,7 @@ import { velocityMapFigure } from "./velocity-map-figure.js";
  * @typedef {import("../../state/url.js").PageState} PageState
  */
 
-/** @type {import("../../widgets/crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */
+/** @type {import("../../widgets/plots/crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */
 const AXES = {
   place(view, { normal, tangential }) {
     return placeWithin(view.normal.toShare(normal), view.tangential.toShare(tangential));

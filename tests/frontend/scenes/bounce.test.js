@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { learn } from "../../../frontend/format/words.js";
-import { createBallLoad } from "../../../frontend/state/collision-load.js";
+import { createBallLoad } from "../../../frontend/state/loading/collision-load.js";
 import { isEnoughBall } from "../../../frontend/scenes/explorer/wishes.js";
 import { cameraAt, closenessAt, timeOf } from "../../../frontend/scenes/explorer/bounce/clock.js";
 import { clockOf, phaseAt, shareAt } from "../../../frontend/scenes/explorer/bounce/clock.js";

@@ -17,7 +17,7 @@ import { REGIME_KEYS } from "./view.js";
 
 /**
  * @typedef {import("../../../api/answers.js").Bounces} Bounces
- * @typedef {import("../../../state/collision-load.js").LoadedBall} LoadedBall
+ * @typedef {import("../../../state/loading/collision-load.js").LoadedBall} LoadedBall
  */
 
 /**
@@ -230,7 +230,7 @@ export function mountBounce(panel, { onShare, onOption }) {
     },
 
     /**
-     * @param {import("../../../state/collision-load.js").LoadedCollision} answer
+     * @param {import("../../../state/loading/collision-load.js").LoadedCollision} answer
      * @param {boolean} isPresent whether it is of the present collision, and not of one a moment ago
      */
     settle({ result: settled, trace, sentence: told }, isPresent) {

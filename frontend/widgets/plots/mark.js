@@ -1,8 +1,8 @@
 // @ts-check
 
-import { typeset } from "./typeset.js";
+import { typeset } from "../typeset.js";
 
-/** @typedef {import("../state/scales.js").Place} Place */
+/** @typedef {import("../../state/scales.js").Place} Place */
 
 /** Where what is beyond the axes lies, by how far right and up. @type {Record<string, string>} */
 const ARROWS = {

@@ -1,20 +1,20 @@
 // @ts-check
 
-import { sentenceOf } from "../format/sentence.js";
-import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "./accuracy.js";
-import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "./drawable.js";
+import { sentenceOf } from "../../format/sentence.js";
+import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "../accuracy.js";
+import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "../drawable.js";
 
 /**
- * @typedef {import("./parameters.js").Collision} Collision
- * @typedef {import("../api/answers.js").CollisionAnswer} CollisionAnswer
- * @typedef {import("../api/answers.js").Trace} Trace
+ * @typedef {import("../parameters.js").Collision} Collision
+ * @typedef {import("../../api/answers.js").CollisionAnswer} CollisionAnswer
+ * @typedef {import("../../api/answers.js").Trace} Trace
  */
 
 /**
  * @typedef {object} CollisionWish
  * @property {Collision} collision
- * @property {import("./accuracy.js").Accuracy} accuracy
- * @property {import("./store.js").Change} change
+ * @property {import("../accuracy.js").Accuracy} accuracy
+ * @property {import("../store.js").Change} change
  * @property {boolean} isPictured whether its trace is wanted
  */
 
@@ -61,7 +61,7 @@ async function loadAlone(server, collision, signal) {
 
 /**
  * How a collision is asked for.
- * @param {Server & {answer: (collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../api/answers.js").Answer>}} server
+ * @param {Server & {answer: (collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../../api/answers.js").Answer>}} server
  */
 export function createCollisionLoad(server) {
   /**
@@ -82,15 +82,15 @@ export function createCollisionLoad(server) {
 }
 
 /**
- * @typedef {import("../api/queries.js").Ball & {times: 1 | 2}} BallWish
- * @typedef {import("../api/answers.js").Bounces} Bounces
+ * @typedef {import("../../api/queries.js").Ball & {times: 1 | 2}} BallWish
+ * @typedef {import("../../api/answers.js").Bounces} Bounces
  */
 
 /**
  * @typedef {object} LoadedBall
  * @property {Bounces} answer whose factors hold for every collision of these bodies
- * @property {import("../api/answers.js").Trace | null} trace of the second collision, where it is wanted
- * @property {import("./parameters.js").Collision} collision that it is asked for
+ * @property {import("../../api/answers.js").Trace | null} trace of the second collision, where it is wanted
+ * @property {import("../parameters.js").Collision} collision that it is asked for
  */
 
 /**

@@ -1,10 +1,10 @@
 // @ts-check
 
-import { MAP_MARGIN } from "../figures/plot-area.js";
-import { say } from "../format/words.js";
-import { axesInWords, collisionAt, placeOnMap } from "../state/map-view.js";
-import { followDrag } from "./drag.js";
-import { find } from "./find.js";
+import { MAP_MARGIN } from "../../figures/plot-area.js";
+import { say } from "../../format/words.js";
+import { axesInWords, collisionAt, placeOnMap } from "../../state/map-view.js";
+import { followDrag } from "../drag.js";
+import { find } from "../find.js";
 import { createMark } from "./mark.js";
 import { layOver } from "./overlay.js";
 
@@ -23,14 +23,14 @@ const DIRECTIONS = {
  * What the axes of a map mean.
  * @template View, Subject
  * @typedef {object} Axes
- * @property {(view: View, subject: Subject) => import("../state/scales.js").Place} place of what is present
+ * @property {(view: View, subject: Subject) => import("../../state/scales.js").Place} place of what is present
  * @property {(view: View, x: number, y: number, subject: Subject) => Record<string, number>} at what a place stands for
  * @property {string} horizontal what of that belongs to the horizontal axis
  * @property {string} vertical
  * @property {(view: View, subject: Subject) => {x: string, y: string}} words for what is present along each axis
  */
 
-/** @type {Axes<import("../state/map-view.js").MapView, import("../state/parameters.js").Collision>} */
+/** @type {Axes<import("../../state/map-view.js").MapView, import("../../state/parameters.js").Collision>} */
 export const MAP_AXES = {
   place: placeOnMap,
   at: (view, x, y, { mu_over_alpha: mu }) => collisionAt(view, x, y, mu),
@@ -45,7 +45,7 @@ export const MAP_AXES = {
  * @template View, Subject
  * @param {HTMLElement} element
  * @param {Axes<View, Subject>} axes
- * @param {(place: Record<string, number>, change: import("../state/store.js").Change) => void} onPlace
+ * @param {(place: Record<string, number>, change: import("../../state/store.js").Change) => void} onPlace
  */
 export function mountCrosshair(element, axes, onPlace) {
   const template = /** @type {HTMLTemplateElement} */ (find("#crosshair"));

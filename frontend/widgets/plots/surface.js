@@ -1,13 +1,13 @@
 // @ts-check
 
-import { say } from "../format/words.js";
-import { dragWhenHeld } from "./drag.js";
+import { say } from "../../format/words.js";
+import { dragWhenHeld } from "../drag.js";
 import { createPlot } from "./plot.js";
 
 /** Turned by dragging; the wheel keeps scrolling the page. */
 const TURNABLE = { staticPlot: false, scrollZoom: false };
 
-/** @typedef {Parameters<typeof import("../figures/surface-figure.js").surfaceFigure>[0]} Subject */
+/** @typedef {Parameters<typeof import("../../figures/surface-figure.js").surfaceFigure>[0]} Subject */
 
 /**
  * A map as a surface in depth: its element, and the browser's drawing context with it, exist only
@@ -30,7 +30,7 @@ export function createSurface(stage) {
 
   /** @param {{element: HTMLElement, plot: ReturnType<typeof createPlot> | null}} mine */
   async function fill(mine) {
-    const module = await import("../figures/surface-figure.js").catch(() => null);
+    const module = await import("../../figures/surface-figure.js").catch(() => null);
     if (open === mine && module) {
       mine.plot = createPlot(mine.element, module.surfaceFigure, { config: TURNABLE });
       draw();

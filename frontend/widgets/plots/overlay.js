@@ -16,7 +16,7 @@ export function layOver(element, { l, r, t, b }) {
 /**
  * The whole pixels of a plot's place; what is laid over it learns of the rest.
  * @param {HTMLElement} element of the plot
- * @param {import("../figures/plot-area.js").Size} place
+ * @param {import("../../figures/plot-area.js").Size} place
  */
 export function noteRest(element, place) {
   const [width, height] = [Math.floor(place.width), Math.floor(place.height)];

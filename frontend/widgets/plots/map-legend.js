@@ -1,9 +1,9 @@
 // @ts-check
 
-import { restitutionColors, restitutionPlace, switchClasses } from "../figures/color-scales.js";
-import { brief } from "../format/number.js";
-import { placeWithin } from "../state/scales.js";
-import { currentTheme } from "./theme.js";
+import { restitutionColors, restitutionPlace, switchClasses } from "../../figures/color-scales.js";
+import { brief } from "../../format/number.js";
+import { placeWithin } from "../../state/scales.js";
+import { currentTheme } from "../theme.js";
 
 const TICKS = [-1, -0.5, -0.1, 0, 0.1, 0.5, 1];
 

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, mock, test } from "node:test";
 
-import { createLatest } from "../../../frontend/state/latest.js";
+import { createLatest } from "../../../../frontend/state/loading/latest.js";
 
 /** A load that ends when the test says so. */
 function slowLoad() {

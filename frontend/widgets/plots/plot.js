@@ -3,7 +3,7 @@
 import { announceCanvasReading } from "./canvas-reading.js";
 import { noteRest } from "./overlay.js";
 import { quickDraw } from "./quick-draw.js";
-import { currentTheme, onPrinting, onThemeChange } from "./theme.js";
+import { currentTheme, onPrinting, onThemeChange } from "../theme.js";
 
 /** A plot that is looked at; what is laid over it takes the pointer. */
 const STILL = { staticPlot: true };
@@ -31,7 +31,7 @@ const plotlyIsHere = new Promise((resolve) => {
  * A Plotly element that follows its size and the colour scheme.
  * @template Subject
  * @param {HTMLElement} element
- * @param {(subject: Subject, theme: import("../figures/theme.js").Theme, size: import("../figures/plot-area.js").Size) => import("../figures/plot-area.js").Figure} makeFigure
+ * @param {(subject: Subject, theme: import("../../figures/theme.js").Theme, size: import("../../figures/plot-area.js").Size) => import("../../figures/plot-area.js").Figure} makeFigure
  * @param {object} [options]
  * @param {Record<string, any>} [options.config] of Plotly
  * @param {(customdata: any) => void} [options.onPoint] told what a point stands for that was clicked
@@ -39,10 +39,10 @@ const plotlyIsHere = new Promise((resolve) => {
 export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}) {
   /** @type {{subject: Subject} | null} */
   let shown = null;
-  /** @type {import("../figures/plot-area.js").Size | null} */
+  /** @type {import("../../figures/plot-area.js").Size | null} */
   let size = null;
 
-  /** @type {import("../figures/plot-area.js").Figure | null} */
+  /** @type {import("../../figures/plot-area.js").Figure | null} */
   let drawn = null;
 
   /** Returns whether it was done the quick way. */

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createConnection } from "../../../frontend/state/connection.js";
+import { createConnection } from "../../../../frontend/state/loading/connection.js";
 
 const settled = () => new Promise((resolve) => setImmediate(resolve));
 

@@ -1,7 +1,7 @@
 // @ts-check
 
-import { barPlaces, differInMarksOnly, linePath, pixelScale } from "../figures/pixels.js";
-import { write } from "./write.js";
+import { barPlaces, differInMarksOnly, linePath, pixelScale } from "../../figures/pixels.js";
+import { write } from "../write.js";
 
 /**
  * Moves the marks of a plot to where a new figure has them, if its axes stay. `Plotly.react` works out
@@ -9,8 +9,8 @@ import { write } from "./write.js";
  * When the drag is over, Plotly draws what has been moved here, and puts its own house in order.
  *
  * @param {HTMLElement} element drawn by Plotly
- * @param {import("../figures/plot-area.js").Figure} shown what it shows
- * @param {import("../figures/plot-area.js").Figure} next
+ * @param {import("../../figures/plot-area.js").Figure} shown what it shows
+ * @param {import("../../figures/plot-area.js").Figure} next
  * @returns {boolean} whether that could be done
  */
 export function quickDraw(element, shown, next) {
@@ -89,7 +89,7 @@ function made(marks, count) {
 /**
  * @param {Record<string, any>} trace
  * @param {Marks} marks
- * @param {import("../figures/pixels.js").PixelScale} scale
+ * @param {import("../../figures/pixels.js").PixelScale} scale
  */
 function moveBars(trace, { points }, scale) {
   const places = barPlaces(/** @type {any} */ (trace), scale);
@@ -112,7 +112,7 @@ function moveBars(trace, { points }, scale) {
 /**
  * @param {Record<string, any>} trace
  * @param {Marks} marks
- * @param {import("../figures/pixels.js").PixelScale} scale
+ * @param {import("../../figures/pixels.js").PixelScale} scale
  */
 function moveScatter(trace, { lines, points, texts }, scale) {
   if (trace.mode === "lines") {

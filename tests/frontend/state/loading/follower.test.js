@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createFollower, isSame } from "../../../frontend/state/follower.js";
+import { createFollower, isSame } from "../../../../frontend/state/loading/follower.js";
 
 /** A follower whose answers are there at once, and what it was told. */
 function makeFollower(isEnough = isSame) {
