@@ -57,9 +57,7 @@ FOCUSED = """() => {
 
 # Of the paper's list, a part is looked at in test_paper_scene.py.
 EVERY_DAY = [
-    (390, "light", "first"),
     (1440, "dark", "first"),
-    (1440, "dark", "real spheres"),
     (390, "light", "speed and accuracy"),
 ]
 

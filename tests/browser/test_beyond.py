@@ -5,6 +5,8 @@ from explorer import number, settle, text, visit
 from playwright.sync_api import Locator, Page, expect
 from rest import rest
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 # The picture, an address beyond its axes, what it says, and the lines of its mark that stay.
@@ -24,7 +26,7 @@ def words(mark: Locator) -> str:
       (node.nodeName === "SUB" ? "_" : "") + node.textContent).join("")""")
 
 
-@pytest.mark.parametrize(("name", "query", "told", "lines"), BEYOND)
+@pytest.mark.parametrize(("name", "query", "told", "lines"), every_day(BEYOND[2:4], of=BEYOND))
 def test_what_lies_beyond_an_axis_is_told_there_and_not_marked(
     used_tab: Page, server: str, name: str, query: str, told: str, lines: list[str]
 ):
@@ -61,6 +63,7 @@ CLIPPED = """(name) => {
 }"""
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize("query", ["kappa=0.1&gt_over_gn=0.01", "kappa=70&gt_over_gn=4"])
 def test_a_ring_at_an_edge_is_whole(used_tab: Page, server: str, query: str):
     visit(used_tab, f"/?{query}")

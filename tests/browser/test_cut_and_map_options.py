@@ -124,6 +124,7 @@ def test_over_psi_the_map_and_the_cut_are_asked_for_once_whatever_the_friction(
     assert asked == []
 
 
+@pytest.mark.verify
 def test_the_surface_exists_only_while_it_is_asked_for(used_tab: Page, server: str):
     visit(used_tab, "/")
     settle(used_tab, server)
@@ -138,6 +139,7 @@ def test_the_surface_exists_only_while_it_is_asked_for(used_tab: Page, server: s
     assert "shape=flat" in used_tab.url
 
 
+@pytest.mark.verify
 @pytest.mark.own_page
 def test_a_cut_that_is_refused_says_so_in_the_page_s_language_and_why_in_the_server_s(page: Page):
     body = json.dumps({"detail": "kappa is 63, which is too much"})

@@ -20,7 +20,7 @@ from lesson import (
 from playwright.sync_api import Browser, Page, expect
 from rest import eventually, rest
 
-from cases import left_to_verify
+from cases import every_day, left_to_verify
 
 pytestmark = pytest.mark.browser
 
@@ -89,6 +89,7 @@ def test_the_lesson_can_be_walked(
     witness.assert_silence()
 
 
+@pytest.mark.verify
 def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, server: str):
     page.goto("/?scene=lesson&step=3")
     page.get_by_test_id("predict-anyway").click()
@@ -162,6 +163,7 @@ def test_every_step_has_an_address_and_the_browser_turns_the_pages(page: Page, s
     witness.assert_silence()
 
 
+@pytest.mark.verify
 def test_the_lesson_is_entered_and_left_by_the_scenes(used_tab: Page, server: str):
     visit(used_tab, "/?kappa=500")
     settle(used_tab, server)
@@ -189,7 +191,7 @@ def test_a_reader_of_german_is_taught_in_german(browser: Browser, server: str):
         expect(page.locator("html")).to_have_attribute("lang", "de")
 
 
-@pytest.mark.parametrize("hand", HANDS)
+@pytest.mark.parametrize("hand", every_day(["keyboard"], of=HANDS))
 def test_the_language_can_be_switched_at_any_time(used_tab: Page, server: str, hand: str):
     visit(used_tab, "/?scene=lesson&step=4&lang=en")
     says(used_tab, "lesson-title", Texts("en").step("switching", "title"))

@@ -5,6 +5,8 @@ from explorer import settle
 from playwright.sync_api import Page, expect
 from rest import rest
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 SIZES = [(390, 844), (1280, 720)]
@@ -32,7 +34,7 @@ def close(page: Page, name: str) -> None:
     message(page, name).get_by_role("button").click()
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), every_day(SIZES[:1], of=SIZES))
 def test_what_was_wrong_in_an_address_covers_nothing_and_is_closed(
     page: Page, server: str, width: int, height: int
 ):
@@ -46,7 +48,7 @@ def test_what_was_wrong_in_an_address_covers_nothing_and_is_closed(
     expect(message(page, "notice")).to_be_hidden()
 
 
-@pytest.mark.parametrize(("width", "height"), SIZES)
+@pytest.mark.parametrize(("width", "height"), every_day(SIZES[:1], of=SIZES))
 def test_a_lost_server_covers_nothing_and_is_said_again_when_something_is_wanted_of_it(
     tab: Page, width: int, height: int
 ):

@@ -198,7 +198,7 @@ def keep_in(context: BrowserContext, server: str) -> list[str]:
 @pytest.mark.parametrize(
     ("scene", "count", "seed"),
     [
-        ("explorer", 25, SEED),
+        ("explorer", 12, SEED),
         pytest.param("spheres", 40, SEED, marks=pytest.mark.verify),
         pytest.param("explorer", 2000, SEED + 1, marks=pytest.mark.verify),
         pytest.param("spheres", 2000, SEED + 2, marks=pytest.mark.verify),

@@ -10,6 +10,8 @@ from explorer import PARAMETERS, Witness, agrees, ask, collision_of, settle, tex
 from playwright.sync_api import Page, expect
 from rest import rest
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 
@@ -29,7 +31,7 @@ def test_the_phenomenon_is_on_the_screen_without_a_click(explorer, server):
         assert explorer.get_by_test_id(plot).locator("svg").count() > 0
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("name", every_day(["kappa"], of=PARAMETERS))
 def test_dragging_a_slider_with_the_mouse_shows_the_collision_there(explorer, server, name):
     before = collision_of(explorer)
     box = explorer.get_by_test_id(f"{name}-slider").bounding_box()
@@ -44,7 +46,7 @@ def test_dragging_a_slider_with_the_mouse_shows_the_collision_there(explorer, se
     assert [k for k in after if after[k] != before[k]] == [PARAMETERS[name]]
 
 
-@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("name", every_day(["gt-over-gn"], of=PARAMETERS))
 def test_arrow_keys_move_a_slider(explorer, server, name):
     before = collision_of(explorer)[PARAMETERS[name]]
     explorer.get_by_test_id(f"{name}-slider").focus()

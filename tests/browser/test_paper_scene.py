@@ -49,6 +49,7 @@ def test_every_statement_stands_there_with_its_verdict(used_tab: Page, server: s
     witness.assert_silence()
 
 
+@pytest.mark.verify
 def test_printed_and_computed_are_set_as_symbols(used_tab: Page, server: str):
     open_scene(used_tab)
     item = next(i for i in ask(server, "paper")["items"] if i["id"] == "equation-27")
@@ -104,7 +105,9 @@ def _holds(condition: bool) -> None:
     assert condition
 
 
-@pytest.mark.parametrize("name", ["equation-27", "figure-4", "claim-letter-g"])
+@pytest.mark.parametrize(
+    "name", every_day(["figure-4"], of=["equation-27", "figure-4", "claim-letter-g"])
+)
 def test_a_statement_opens_what_shows_it_and_back_returns(used_tab: Page, server: str, name: str):
     item = next(i for i in ask(server, "paper")["items"] if i["id"] == name)
     open_scene(used_tab)
@@ -120,6 +123,7 @@ def test_a_statement_opens_what_shows_it_and_back_returns(used_tab: Page, server
     expect(used_tab.locator(f'[data-statement="{name}"]')).to_be_visible()
 
 
+@pytest.mark.verify
 def test_curves_of_several_frictions_are_one_over_psi(used_tab: Page, server: str):
     open_scene(used_tab)
 
@@ -166,6 +170,7 @@ def test_stiff_springs_stay_under_their_law_and_reach_it(used_tab: Page):
     expect(used_tab.get_by_test_id("stiff-law-said")).to_contain_text("4.4848")
 
 
+@pytest.mark.verify
 def test_most_switches_follow_their_law(used_tab: Page):
     open_scene(used_tab)
 
@@ -224,7 +229,9 @@ def test_axe_finds_nothing_to_object_to_in_the_list(used_tab: Page, width: int, 
     assert objections(used_tab) == []
 
 
-@pytest.mark.parametrize("panel", ["collapse", "stiff_law", "switch_law"])
+@pytest.mark.parametrize(
+    "panel", every_day(["collapse"], of=["collapse", "stiff_law", "switch_law"])
+)
 def test_a_result_beyond_the_paper_fills_its_frame(used_tab: Page, panel: str):
     used_tab.set_viewport_size({"width": 1440, "height": 700})
     visit(used_tab, f"/?embed={panel}")

@@ -67,7 +67,7 @@ FAULTS = """() => {
 
 @pytest.mark.parametrize(
     "scene",
-    every_day(["explorer", "real spheres, unfolded", "lesson, step 4"], of=SCENES),
+    every_day(["lesson, step 4"], of=SCENES),
 )
 @pytest.mark.parametrize(("width", "height"), every_day([(1280, 720)], of=SIZES))
 def test_a_scene_is_one_page_of_a4(used_tab: Page, scene: str, width: int, height: int):
@@ -81,7 +81,7 @@ def test_a_scene_is_one_page_of_a4(used_tab: Page, scene: str, width: int, heigh
     assert {round(float(number)) for number in box[1].split()[2:]} == A4
 
 
-@pytest.mark.parametrize("scene", every_day(["explorer", "speed and accuracy"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["explorer"], of=SCENES))
 def test_on_paper_nothing_is_cut_off_and_pictures_fill_their_places(used_tab: Page, scene: str):
     visit(used_tab, f"/?{SCENES[scene]}")
     rest(used_tab)

@@ -5,6 +5,8 @@ from explorer import COUNT_DRAWINGS, settle, visit
 from playwright.sync_api import Page
 from rest import rest
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 MARKS = """(plot) => {
@@ -36,7 +38,7 @@ def marks(page: Page, name: str) -> dict[str, list]:
     return page.get_by_test_id(name).evaluate(MARKS)
 
 
-@pytest.mark.parametrize("name", ["force-trace", "velocity"])
+@pytest.mark.parametrize("name", every_day(["force-trace"], of=["force-trace", "velocity"]))
 @pytest.mark.parametrize(
     ("slider", "shares"),
     [

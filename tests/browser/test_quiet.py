@@ -39,7 +39,7 @@ PLACES_OF_SLIDERS = [*itertools.product(PARAMETERS, ("20", "500", "970"))]
 
 
 @pytest.mark.own_page
-@pytest.mark.parametrize("width", [390, 1440])
+@pytest.mark.parametrize("width", every_day([390], of=[390, 1440]))
 @pytest.mark.parametrize(
     "moves",
     # of each slider one, or all
@@ -74,6 +74,7 @@ def test_the_page_says_nothing_calls_nobody_and_does_not_jump(
     witness.assert_silence()
 
 
+@pytest.mark.verify
 def test_the_page_says_nothing_in_depth_nor_of_a_collision_without_a_picture(
     page: Page, server: str
 ):

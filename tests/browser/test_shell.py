@@ -44,9 +44,7 @@ def test_colours_are_those_chosen_and_stand_in_the_address(tab: Page):
 
 @pytest.mark.parametrize(
     "panel",
-    every_day(
-        ["result", "map", "tradeoff", "impact"], of=PANELS + ACCURACY_PANELS + SPHERES_PANELS
-    ),
+    every_day(["map", "impact"], of=PANELS + ACCURACY_PANELS + SPHERES_PANELS),
 )
 def test_embedded_panel_stands_alone_and_leads_to_the_full_page(used_tab: Page, panel: str):
     used_tab.set_viewport_size({"width": 480, "height": 360})
@@ -81,7 +79,7 @@ def assert_stands_alone(page: Page, panel: str) -> None:
     assert ("kappa=20" in address) is (panel not in SPHERES_PANELS)
 
 
-@pytest.mark.parametrize("panel", every_day(["map", "contact"], of=PANELS[1:]))
+@pytest.mark.parametrize("panel", every_day(["map"], of=PANELS[1:]))
 def test_every_picture_gives_its_data_and_itself(
     used_tab: Page, server: str, panel: str, tmp_path: Path
 ):
@@ -108,7 +106,7 @@ def test_every_picture_gives_its_data_and_itself(
         assert re.match(beginning, saved.read_bytes())
 
 
-@pytest.mark.parametrize("panel", every_day(["result", "map"], of=PANELS))
+@pytest.mark.parametrize("panel", every_day(["map"], of=PANELS))
 def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
     rest(tab)
     button = tab.get_by_test_id(f"menu-{panel}")

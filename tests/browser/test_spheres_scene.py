@@ -49,6 +49,7 @@ def test_a_material_is_shown_as_the_api_answers(page: Page, server: str):
     eventually(measured_are_there, page)
 
 
+@pytest.mark.verify
 def test_a_velocity_set_by_hand_moves_everything(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel")
     field = page.get_by_test_id("normal-velocity-m-s-field")
@@ -61,6 +62,7 @@ def test_a_velocity_set_by_hand_moves_everything(page: Page, server: str):
     assert "normal_velocity_m_s=1" in page.url
 
 
+@pytest.mark.verify
 def test_the_crosshair_sets_both_velocities(page: Page, server: str):
     page.goto("/?scene=spheres&material=alumina-on-glass")
     crosshair = page.get_by_test_id("velocity-crosshair")
@@ -102,6 +104,7 @@ def test_the_map_of_velocities_is_that_of_the_api(page: Page, server: str):
     eventually(cells_agree, page)
 
 
+@pytest.mark.verify
 def test_a_file_of_what_was_posted_can_be_had(page: Page, tmp_path: Path):
     page.goto("/?scene=spheres")
     expect(page.get_by_test_id("impact-result")).to_contain_text("µs")
@@ -250,12 +253,14 @@ def test_a_normal_restitution_stands_in_for_the_dissipative_constant(page: Page,
     expect(note).to_be_hidden()
 
 
+@pytest.mark.verify
 def test_a_frame_tells_its_collision_in_few_digits(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel&embed=impact")
     settle(page, server)
     expect(page.get_by_test_id("embed-caption")).to_contain_text("κ = 11224.9, μ/α = 1.4")
 
 
+@pytest.mark.verify
 def test_a_second_body_of_its_own_is_in_the_address_and_unfolded_there(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel-mindlin&density_kg_m3=2500&radius_2_m=0.01")
     material = materials(server)["steel-mindlin"]
@@ -271,6 +276,7 @@ def test_a_second_body_of_its_own_is_in_the_address_and_unfolded_there(page: Pag
     expect(page.get_by_test_id("poisson-ratio-2-field")).to_be_visible()
 
 
+@pytest.mark.verify
 def test_an_address_that_tells_the_damping_twice_is_told_so(page: Page):
     page.goto("/?normal_restitution=0.9&dissipative_constant_s=1e-6")
     expect(page.get_by_test_id("notice")).to_contain_text("ε_n and A tell the same: ε_n is taken")

@@ -78,9 +78,7 @@ def mark_words(page: Page) -> None:
     page.route("**/words/*", mark_later)
 
 
-@pytest.mark.parametrize(
-    "scene", every_day(["explorer", "real spheres", "speed and accuracy"], of=SCENES)
-)
+@pytest.mark.parametrize("scene", every_day(["speed and accuracy"], of=SCENES))
 def test_every_word_is_from_the_locales(page: Page, scene: str):
     mark_words(page)
     page.goto(f"/?{SCENES[scene]}")

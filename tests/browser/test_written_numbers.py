@@ -31,13 +31,16 @@ def typed_in(shown: str) -> str:
 
 @pytest.mark.parametrize(
     ("name", "written", "value"),
-    [
-        ("radius_m", "20 mm", "0.02"),
-        ("youngs_modulus_pa", "380\u202fGPa", "380000000000"),
-        ("tangential_stiffness_n_per_m", "1.000 × 10¹² N/m", "1000000000000"),
-        ("normal_velocity_m_s", "36 km/h", "10"),
-        ("dissipative_constant_s", "12 µs", "0.000012"),
-    ],
+    every_day(
+        [("tangential_stiffness_n_per_m", "1.000 × 10¹² N/m", "1000000000000")],
+        of=[
+            ("radius_m", "20 mm", "0.02"),
+            ("youngs_modulus_pa", "380\u202fGPa", "380000000000"),
+            ("tangential_stiffness_n_per_m", "1.000 × 10¹² N/m", "1000000000000"),
+            ("normal_velocity_m_s", "36 km/h", "10"),
+            ("dissipative_constant_s", "12 µs", "0.000012"),
+        ],
+    ),
 )
 def test_a_unit_of_the_field_s_dimension_is_converted(
     used_tab: Page, name: str, written: str, value: str
@@ -89,6 +92,7 @@ def test_what_is_wrong_is_still_said_when_the_field_is_left(
     expect(problem).to_be_empty()
 
 
+@pytest.mark.verify
 def test_the_second_body_is_named_where_it_refuses(used_tab: Page):
     visit(used_tab, "/?scene=spheres&material=glass-on-glass&second=sphere&radius_2_m=0.03")
     field = used_tab.get_by_test_id("radius-2-m-field")
@@ -158,6 +162,7 @@ def text_of_focus(page: Page) -> str:
     return page.evaluate("() => document.activeElement.textContent")
 
 
+@pytest.mark.verify
 def test_a_question_goes_when_it_is_not_wanted(used_tab: Page, server: str):
     visit(used_tab, "/?kappa=20")
     field = used_tab.get_by_test_id("kappa-field")
@@ -206,7 +211,7 @@ def test_an_address_with_a_decimal_comma_says_what_it_takes(page: Page):
     assert text(page, "kappa-problem") == ""
 
 
-@pytest.mark.parametrize("width", every_day([320, 1440], of=[320, 390, 820, 1280, 1440, 1920]))
+@pytest.mark.parametrize("width", every_day([320], of=[320, 390, 820, 1280, 1440, 1920]))
 def test_what_is_asked_and_refused_keeps_apart_and_is_accessible(used_tab: Page, width: int):
     used_tab.set_viewport_size({"width": width, "height": 900})
     visit(used_tab, "/?scene=spheres&material=glass-on-glass")
