@@ -19,7 +19,7 @@ import { createConnection } from "./state/loading/connection.js";
 import { createLatest } from "./state/loading/latest.js";
 import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
-import { SCENES } from "./state/scenes.js";
+import { isPresented, SCENES } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 import { byTestId, find } from "./widgets/find.js";
@@ -84,6 +84,11 @@ const DEFERRED = [
   ["accuracy", showsSteps, async () => (await import("./scenes/accuracy/scene.js")).mountAccuracy],
   ["paper", isScene("paper"), async () => (await import("./scenes/paper/scene.js")).mountPaper],
   ["lesson", isScene("lesson"), async () => (await import("./scenes/lesson/scene.js")).mountLesson],
+  [
+    "presenting",
+    isPresented,
+    async () => (await import("./page/presenting/presenting.js")).mountPresenting,
+  ],
 ];
 const scenes = [
   mountExplorer(page),

@@ -19,10 +19,10 @@ export const CUT_MARGIN = { l: 60, r: 20, t: 6, b: 46 };
  * @param {{l: number, r: number, t: number, b: number}} margin
  * @param {Theme} theme
  */
-export function innerSize({ width, height }, { l, r, t, b }, { unit }) {
+export function innerSize({ width, height }, { l, r, t, b }, { unit, words }) {
   return {
     width: Math.max(1, width - unit * (l + r)),
-    height: Math.max(1, height - unit * (t + b)),
+    height: Math.max(1, height - unit * (t + b * words)),
   };
 }
 
@@ -40,7 +40,7 @@ export function baseLayout(theme, { width, height }, margin) {
       l: theme.unit * margin.l,
       r: theme.unit * margin.r,
       t: theme.unit * margin.t,
-      b: theme.unit * margin.b,
+      b: theme.unit * margin.b * theme.words,
       pad: 0,
     },
     autosize: false,
@@ -99,7 +99,7 @@ export function timeAxis(theme, contactDuration) {
     title: {
       text: say("trace.axis", { t: "<i>t</i>" }),
       standoff: 4 * theme.unit,
-      font: { size: 12 * theme.unit },
+      font: { size: 12 * theme.unit * theme.words },
     },
   };
 }
@@ -125,6 +125,6 @@ export function forceReach(...forces) {
  * @param {Theme} theme
  * @param {number} [type]
  */
-export function axisTitle(text, standoff, { unit, ink }, type = 14) {
-  return { text, standoff: standoff * unit, font: { size: type * unit, color: ink } };
+export function axisTitle(text, standoff, { unit, words, ink }, type = 14) {
+  return { text, standoff: standoff * unit, font: { size: type * unit * words, color: ink } };
 }

@@ -5,6 +5,7 @@
  * @typedef {object} Theme
  * @property {boolean} dark
  * @property {number} unit CSS pixels to one pixel of the design, more than one on a very large screen
+ * @property {number} words how much larger than usual those in a picture are
  * @property {string} sans
  * @property {string} paper
  * @property {string} ink

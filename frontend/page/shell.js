@@ -67,6 +67,27 @@ export function mountShell({ present, onOption }) {
       byTestId("said").textContent = "";
     }, SAID);
   });
+  find("[data-testid='present']").addEventListener("click", begin);
+  addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
+    const isTyped = /** @type {Element} */ (target).matches?.("input, select, textarea");
+    if (key !== "p" || ctrlKey || metaKey || altKey || isTyped) {
+      return;
+    }
+    if (present().presenting === "on") {
+      onOption({ presenting: "off" });
+    } else {
+      begin();
+    }
+  });
+
+  /** On a projector. A frame may be forbidden the whole screen, and presents in what it has. */
+  function begin() {
+    if (present().embed === "none") {
+      root.requestFullscreen?.().catch(() => {});
+      onOption({ presenting: "on", scene: present().scene === "lesson" ? "lesson" : "explorer" });
+    }
+  }
+
   // Only when it is about to be followed: it changes with every step of a drag.
   for (const kind of ["pointerenter", "focus"]) {
     fullPage.addEventListener(kind, () => {

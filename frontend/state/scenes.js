@@ -21,31 +21,48 @@ export const SCENES = [
 /** Scenes with a plain face, the explorer's pictures; what the others are about are numbers that it leaves out. */
 const TWO_FACED = ["explorer", "lesson"];
 
+/** The explorer's pictures, by the names of their panels, of which a lecturer picks one or two. */
+export const PRESENTED = ["contact", "force", "velocity", "map", "cut"];
+
+/**
+ * The panels that are presented: those that a step of the lesson looks at, else those picked.
+ * @param {Pick<PageState, "scene" | "step" | "left" | "right">} state
+ */
+export function presentedIn({ scene, step, left, right }) {
+  return [...new Set(scene === "lesson" ? stepOf(step).look : [left, right])];
+}
+
+/** @param {Pick<PageState, "scene" | "presenting" | "embed">} state */
+export function isPresented({ scene, presenting, embed }) {
+  return presenting === "on" && TWO_FACED.includes(scene) && embed === "none";
+}
+
 /** Whether a state of the page has a plain face and an expert one. @param {Pick<PageState, "scene" | "embed">} state */
 export function isTwoFaced({ scene, embed }) {
   return TWO_FACED.includes(scene) && embed === "none";
 }
 
 /**
- * Whoever chose a face finds it at the next visit; the lesson begins plain.
- * @param {Pick<PageState, "scene" | "embed" | "face">} state
+ * Whoever chose a face finds it at the next visit; the lesson begins plain, and what is presented is.
+ * @param {Pick<PageState, "scene" | "embed" | "face" | "presenting">} state
  */
 export function isPlain(state) {
   const { scene, face } = state;
   const usual = scene !== "lesson" && ofVisits.recall("face") === "expert" ? "expert" : "plain";
-  return isTwoFaced(state) && (face === "usual" ? usual : face) === "plain";
+  const chosen = face === "usual" ? usual : face;
+  return isTwoFaced(state) && (isPresented(state) || chosen === "plain");
 }
 
 /**
  * Which of the explorer's pictures that are asked for by themselves are to be seen.
- * @param {Pick<PageState, "scene" | "embed" | "face" | "step">} state
+ * @param {Pick<PageState, "scene" | "embed" | "face" | "step" | "presenting" | "left" | "right">} state
  */
 export function picturesOf(state) {
-  const { scene, embed, step } = state;
+  const { scene, embed } = state;
   const isHere = TWO_FACED.includes(scene);
   const isShown = (/** @type {string} */ name) => isHere && (embed === "none" || embed === name);
-  const isLookedAt = scene === "lesson" && stepOf(step).look.includes("cut");
-  const cut = isShown("cut") && (isLookedAt || !isPlain(state));
+  const isPicked = (scene === "lesson" || isPresented(state)) && presentedIn(state).includes("cut");
+  const cut = isShown("cut") && (isPicked || !isPlain(state));
   // The cut has the colours of the map.
   return { map: isShown("map") || cut, cut, contact: isShown("contact") };
 }

@@ -8,7 +8,7 @@ import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { BOUNCES, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
 import { misfit, misread } from "./requirements.js";
-import { SCENES } from "./scenes.js";
+import { PRESENTED, SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
 /** The options that are words, each with what it may be; the first is the default. */
@@ -52,6 +52,9 @@ const PAGE_WORDS = {
   notes: ["hidden", "shown"],
   handout: ["hidden", "shown"],
   face: ["usual", "plain", "expert"],
+  presenting: ["off", "on"],
+  left: PRESENTED,
+  right: ["map", ...PRESENTED.filter((name) => name !== "map")],
 };
 
 /** How ε_t is got; it stands in the address only where it is not the usual way. */
@@ -96,6 +99,9 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {"hidden" | "shown"} handout of the lesson, in place of its pictures
  * @property {"usual" | "plain" | "expert"} face of the page: plain, or with all that there is to see;
  *   usual is the one that was last chosen in this browser
+ * @property {"off" | "on"} presenting on a projector: large type and one picture or two
+ * @property {string} left picture of those presented
+ * @property {string} right one, or the same for that alone
  * @property {import("./impact.js").Impact} impact of real spheres
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */

@@ -18,7 +18,7 @@ const listeners = new Set();
 /** @type {Set<() => void>} */
 const printers = new Set();
 
-// Very large windows have larger type.
+// Very large windows have larger type, and so has what is presented.
 addEventListener("resize", () => {
   known = null;
 });
@@ -26,7 +26,7 @@ darkScheme.addEventListener("change", tell);
 // What is drawn for the screen must be drawn anew for paper, at once: the browser does not wait.
 addEventListener("beforeprint", () => layOut(true));
 addEventListener("afterprint", () => layOut(false));
-new MutationObserver(tell).observe(root, { attributeFilter: ["data-theme"] });
+new MutationObserver(tell).observe(root, { attributeFilter: ["data-theme", "data-presenting"] });
 awaitFonts();
 
 async function awaitFonts() {
@@ -73,7 +73,8 @@ export function currentTheme() {
     const sans = families()
       .slice(hasFonts ? 0 : 1)
       .join(", ");
-    known = { dark, unit, ...Object.fromEntries(values), sans };
+    const words = Number(style.getPropertyValue("--words-in-pictures")) || 1;
+    known = { dark, unit, words, ...Object.fromEntries(values), sans };
   }
   return /** @type {import("../figures/theme.js").Theme} */ (known);
 }

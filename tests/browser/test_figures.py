@@ -95,6 +95,8 @@ def test_many_switches_are_told_where_they_cannot_be_drawn(used_tab: Page, serve
 def test_lost_energy_says_of_which_motion_it_is_and_symbols_explain_it(tab: Page):
     tab.set_viewport_size({"width": 1440, "height": 900})
     expect(tab.locator(".figures")).to_contain_text("tangential energy lost")
+    # whatever the tab was used for before
+    tab.get_by_test_id("symbols").evaluate("symbols => { symbols.open = false; }")
     tab.get_by_test_id("symbols").locator("summary").click()
     for term in ("switches", "turns", "tangential energy lost"):
         expect(tab.get_by_test_id("symbols").get_by_text(term, exact=True)).to_be_visible()

@@ -1,5 +1,7 @@
 """What a step of the lesson needs is in a projector's window, and nothing hides it on a phone."""
 
+import itertools
+
 import pytest
 from explorer import settle
 from lesson import LANGUAGES, PREDICTIONS, STEPS, Texts, says
@@ -28,9 +30,10 @@ BEYOND = """() => {
   const steered = (root.steers ? root.steers.split(" ") : []).map((key) => key === "steps"
     ? "[data-testid=accuracy-slider]"
     : `[data-parameter="${key.replaceAll("_", "-")}"]`);
+  const ofDesk = "presenting" in root ? [] : [".lesson-turns", "[data-testid=summary]"];
   const needed = [
-    ".lesson-title", ".lesson-text", ".lesson-question", ".lesson-turns",
-    "[data-testid=epsilon-t]", "[data-testid=summary]", ...looks, ...steered,
+    ".lesson-title", ".lesson-text", ".lesson-question", "[data-testid=epsilon-t]",
+    ...ofDesk, ...looks, ...steered,
   ];
   return needed.flatMap((selector) => {
     const element = document.querySelector(selector);
@@ -45,15 +48,26 @@ BEYOND = """() => {
 }"""
 
 
-@pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
+EVERY_DAY = [("de", "off", (1, 4, 9)), ("de", "on", (0, 5, 9))]
+ALL_STEPS = tuple(range(len(STEPS)))
+
+
+@pytest.mark.parametrize(
+    ("language", "presenting", "steps"),
+    every_day(
+        EVERY_DAY, of=[*EVERY_DAY, *itertools.product(LANGUAGES, ("off", "on"), [ALL_STEPS])]
+    ),
+)
 def test_all_that_a_step_needs_is_in_the_window_of_a_projector(
-    page: Page, server: str, language: str
+    page: Page, server: str, language: str, presenting: str, steps: tuple[int, ...]
 ):
     texts = Texts(language)
     page.set_viewport_size({"width": 1280, "height": 720})
     beyond = {}
-    for i, (step, (_, _, right)) in enumerate(STEPS.items()):
-        page.goto(f"/?scene=lesson&step={i + 1}&lang={language}")
+    options = f"lang={language}&presenting={presenting}"
+    for i, step in [(i, list(STEPS)[i]) for i in steps]:
+        _, _, right = STEPS[step]
+        page.goto(f"/?scene=lesson&step={i + 1}&{options}")
         says(page, "lesson-title", texts.step(step, "title"))
         if step in PREDICTIONS:
             rest(page)
@@ -66,7 +80,7 @@ def test_all_that_a_step_needs_is_in_the_window_of_a_projector(
                 name = f"{step}, {option.get_attribute('data-option')}"
                 beyond[name] = page.evaluate(BEYOND)
         else:
-            page.goto(f"/?scene=lesson&step={i + 1}&lang={language}&{REACHED[step]}")
+            page.goto(f"/?scene=lesson&step={i + 1}&{options}&{REACHED[step]}")
             settle(page, server)
             said = f"{texts.say('reached')} {texts.step(step, 'verdicts.met')}"
             says(page, "lesson-feedback", said)

@@ -2,6 +2,7 @@
 export const THEME = {
   dark: false,
   unit: 1,
+  words: 1,
   sans: "sans",
   paper: "paper",
   ink: "ink",

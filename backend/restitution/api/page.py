@@ -138,6 +138,7 @@ LATER = (
     "materials",
     "overlay",
     "paper",
+    "presenting",
     "spheres",
     "steps",
     "tradeoff",

@@ -27,6 +27,7 @@ SPHERES = (
 )
 PAGE = (
     *("scene", "step", "embed", "theme", "lang", "notes", "handout", "face"),
+    *("presenting", "left", "right"),
     *("map", "scale", "map_x", "map_y", "shape", "energy"),
     *("cut_x", "cut_y", "bounce", "spin_share"),
     *("region", "statistic", "wanted_error", "velocity_law", "velocity_scale"),

@@ -114,7 +114,7 @@ function enlargementNote(factor, reach, duration, theme) {
     // A place that is kept: a drag moves what is there.
     text: [factor === 1 ? SPACE : text],
     textposition: "middle right",
-    textfont: { size: 12 * theme.unit, color: theme.tangentialForce },
+    textfont: { size: 12 * theme.unit * theme.words, color: theme.tangentialForce },
   };
 }
 
@@ -165,7 +165,7 @@ function switchNumbers(times, duration, height, pixelsPerTime, theme) {
     x,
     y: x.map(() => height),
     text: x.map((_, i) => String(i + 1)),
-    textfont: { size: 10 * theme.unit, color: theme.ink },
+    textfont: { size: 11 * theme.unit, color: theme.ink },
     marker: {
       size: pixels,
       color: theme.paper,

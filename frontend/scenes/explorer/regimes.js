@@ -117,10 +117,10 @@ export function regimeRibbon(pieces, extent, marks, pixelsPerTime, theme) {
   return {
     name: "ribbon",
     ...bars(pieces, extent, colors),
-    text: pieces.map((piece) => words(piece, marks, pixelsPerTime / theme.unit)),
+    text: pieces.map((piece) => words(piece, marks, pixelsPerTime / (theme.unit * theme.words))),
     textposition: "inside",
     insidetextanchor: "middle",
-    insidetextfont: { size: 11 * theme.unit, color: theme.onRegime },
+    insidetextfont: { size: 11 * theme.unit * theme.words, color: theme.onRegime },
     textangle: 0,
     constraintext: "none",
   };

@@ -127,7 +127,7 @@ function energyAxis(theme, range, reach) {
     ticklabelposition: "inside",
     ticks: "",
     layer: "above traces",
-    tickfont: { size: 11 * theme.unit, color: theme.ink },
+    tickfont: { size: 11 * theme.unit * theme.words, color: theme.ink },
   };
 }
 

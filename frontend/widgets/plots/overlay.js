@@ -7,7 +7,13 @@
  * @param {{l: number, r: number, t: number, b: number}} margin of the plot, in pixels of the design
  */
 export function layOver(element, { l, r, t, b }) {
-  const sides = { left: rem(l), right: withRest(r, "x"), top: rem(t), bottom: withRest(b, "y") };
+  const below = `${rem(b)} * var(--words-in-pictures, 1)`;
+  const sides = {
+    left: rem(l),
+    right: withRest(rem(r), "x"),
+    top: rem(t),
+    bottom: withRest(below, "y"),
+  };
   for (const [side, length] of Object.entries(sides)) {
     element.style.setProperty(side, length);
   }
@@ -32,9 +38,9 @@ function rem(pixels) {
 }
 
 /**
- * @param {number} pixels
+ * @param {string} length
  * @param {"x" | "y"} along
  */
-function withRest(pixels, along) {
-  return `calc(${rem(pixels)} + var(--rest-${along}, 0px))`;
+function withRest(length, along) {
+  return `calc(${length} + var(--rest-${along}, 0px))`;
 }

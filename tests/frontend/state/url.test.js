@@ -36,6 +36,9 @@ const USUAL = {
   notes: "hidden",
   handout: "hidden",
   face: "usual",
+  presenting: "off",
+  left: "contact",
+  right: "map",
   impact: impactOf("steel"),
 };
 
@@ -92,6 +95,9 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       notes: i % 2 ? "hidden" : "shown",
       handout: i % 4 ? "hidden" : "shown",
       face: ["usual", "plain", "expert"][i % 3],
+      presenting: i % 6 ? "off" : "on",
+      left: ["contact", "cut"][i % 2],
+      right: ["map", "force"][(i >> 1) % 2],
       impact: {
         ...impactOf(i % 2 ? "steel" : "glass-on-glass"),
         inertia: i % 8 > 3 ? null : "hollow",

@@ -4,7 +4,6 @@ import { say } from "../../../format/words.js";
 import { significant } from "../../../format/number.js";
 import { bounceOf, sameCollision } from "../../../state/parameters.js";
 import { byTestId, find } from "../../../widgets/find.js";
-import { currentTheme } from "../../../widgets/theme.js";
 import { clockOf, phaseAt, shareAt } from "./clock.js";
 import { contactMotion, mirrored, stateAt } from "./contact-motion.js";
 import { mountBallControls } from "./controls.js";
@@ -180,7 +179,7 @@ export function mountBounce(panel, { onShare, onOption }) {
   playButton.setAttribute("aria-label", say("bounce.play"));
   scrub.setAttribute("aria-label", say("bounce.time"));
   new ResizeObserver(([{ contentRect }]) => {
-    const { unit } = currentTheme();
+    const unit = Number.parseFloat(getComputedStyle(stage).fontSize) / 12;
     size = { width: contentRect.width / unit, height: contentRect.height / unit };
     picture.setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
     showClock();
