@@ -8,6 +8,7 @@ import { createExplanation } from "./page/explanation.js";
 import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
+import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
 import { takeTexts } from "./page/texts.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
@@ -74,8 +75,18 @@ const page = {
   explain: explainBy(notice.say),
   reportLost: connection.reportLost,
 };
+mountPin(page);
+const explorer = mountExplorer(page);
 /** What is not in the first view. @type {[string, (state: PageState) => boolean, Parameters<typeof createDeferredScene>[2]][]} */
 const DEFERRED = [
+  [
+    "compare",
+    ({ scene, pins, embed }) => scene === "explorer" && (pins.length > 0 || embed === "compare"),
+    async () => {
+      const { mountCompare } = await import("./scenes/explorer/compare/scene.js");
+      return (its) => mountCompare(its, explorer.showGhosts);
+    },
+  ],
   [
     "spheres",
     isScene("spheres"),
@@ -90,10 +101,7 @@ const DEFERRED = [
     async () => (await import("./page/presenting/presenting.js")).mountPresenting,
   ],
 ];
-const scenes = [
-  mountExplorer(page),
-  ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus)),
-];
+const scenes = [explorer, ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus))];
 [collision, scenes[0]].forEach(mountMenus);
 
 const collisions = createLatest({

@@ -25,6 +25,9 @@
  * @property {string} tangentialForce
  * @property {string} velocity
  * @property {string} negative ε_t on an axis that has no room below zero
+ * @property {string} pinA of the collision that is pinned as A
+ * @property {string} pinB
+ * @property {string} pinC
  * @property {string} methodTable
  * @property {string} methodSteps
  * @property {string} methodEuler
@@ -53,6 +56,9 @@ export const THEME_PROPERTIES = {
   tangentialForce: "--tangential-force",
   velocity: "--velocity",
   negative: "--negative",
+  pinA: "--pin-a",
+  pinB: "--pin-b",
+  pinC: "--pin-c",
   methodTable: "--method-table",
   methodSteps: "--method-steps",
   methodEuler: "--method-euler",

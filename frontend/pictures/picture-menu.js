@@ -45,7 +45,7 @@ const FILES = [
  * @property {() => string} [subjectTitle] the same for titles, where it is no symbol
  * @property {() => import("../format/requests.js").Request} request whose answer it shows
  * @property {() => Record<string, number | string>} parameters that name its files
- * @property {() => import("../figures/tables.js").Table | null} [table] null while there is no picture
+ * @property {() => import("../figures/tables.js").Table | import("../figures/tables.js").Table[] | null} [table] null while there is no picture
  * @property {() => import("./save-picture.js").Crosshair | null} [place] of a crosshair that belongs to the picture
  */
 
@@ -93,7 +93,7 @@ export function mountPictureMenu(panel, picture, present, load) {
   const table = item(say("sheet.table"), () => {
     const rows = picture.table?.();
     if (rows) {
-      openSheet(picture.title, [tableElement(rows)]);
+      openSheet(picture.title, [rows].flat().map(tableElement));
     }
   });
   const groups = [

@@ -7,6 +7,7 @@ import { IMPACT_PARAMETERS, impactOf, INERTIAS, SECONDS } from "./impact.js";
 import { settingOf, STEPS } from "./lesson.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "./paper.js";
 import { BOUNCES, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
+import { readPins, writePins } from "./pins.js";
 import { misfit, misread } from "./requirements.js";
 import { PRESENTED, SCENES } from "./scenes.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
@@ -25,7 +26,7 @@ const WORDS = {
 
 /** Panels that belong to one scene. */
 const PANELS = {
-  explorer: ["force", "velocity", "map", "cut", "contact"],
+  explorer: ["force", "velocity", "map", "cut", "contact", "compare"],
   accuracy: ["tradeoff", "error_map", "overlay", "steps", "codes"],
   spheres: ["velocities", "sphere_cut", "impact", "place"],
   paper: ["paper", "collapse", "stiff_law", "switch_law"],
@@ -75,6 +76,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {number} alpha of the bodies behind it, for the axis ακ and the ball that bounces
  * @property {string} bounce off what, and how often
  * @property {number} spin_share of g_t, the rest of which is travel
+ * @property {import("./pins.js").Pins} pins collisions to compare the present one with
  * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the axes of map and cut
@@ -142,11 +144,13 @@ export function readAddress(search) {
   const impact = readImpact(query, problems);
   const alpha = readAlpha(query, problems);
   const spin_share = readNumber(query, SPIN_SHARE, problems) ?? SPIN_SHARE.initial;
+  const pins = readPinned(query, problems);
   return {
     state: /** @type {PageState} */ ({
       collision,
       alpha,
       spin_share,
+      pins,
       accuracy,
       impact,
       ...words,
@@ -210,6 +214,18 @@ function readAlpha(query, problems) {
 
 /**
  * @param {URLSearchParams} query
+ * @param {string[]} problems to which that of it is added
+ */
+function readPinned(query, problems) {
+  const { pins, wrong } = readPins(query.get("pins") ?? "");
+  if (wrong.length > 0) {
+    problems.push(misfit("pins", say("requirements.pins"), wrong.join(";")));
+  }
+  return pins;
+}
+
+/**
+ * @param {URLSearchParams} query
  * @param {string[]} problems to which those of it are added
  * @param {import("./accuracy.js").Accuracy} usual
  */
@@ -249,7 +265,7 @@ function readWord(query, key, allowed, problems, usual = allowed[0]) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, alpha, spin_share, accuracy, impact, ...words }) {
+export function writeAddress({ collision, alpha, spin_share, accuracy, impact, pins, ...words }) {
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     // What is not damped says nothing of damping.
@@ -284,7 +300,8 @@ export function writeAddress({ collision, alpha, spin_share, accuracy, impact, .
       query.set(key, word);
     }
   }
-  return `?${query}`;
+  // Its commas and semicolons read better as they are.
+  return `?${query}${pins.length > 0 ? `&pins=${writePins(pins)}` : ""}`;
 }
 
 /**

@@ -133,6 +133,7 @@ USUAL_LANGUAGE = "en"
 
 LATER = (
     "codes",
+    "compare",
     "errorMap",
     "lesson",
     "materials",

@@ -11,6 +11,7 @@ import {
 import { spreadApart } from "../../figures/spread.js";
 import { powerOfTen } from "../../format/number.js";
 import { say } from "../../format/words.js";
+import { NO_GHOSTS } from "./ghosts.js";
 import { regimePieces, regimeRibbon, regimeShades, SPACE } from "./regimes.js";
 
 const RIBBON_PIXELS = 18;
@@ -23,17 +24,19 @@ const FARTHEST = 2.5;
  * @param {import("../../api/answers.js").Trace} trace
  * @param {import("../../figures/theme.js").Theme} theme
  * @param {import("../../figures/plot-area.js").Size} size
+ * @param {import("./ghosts.js").Ghosts} [ghosts]
  * @returns {import("../../figures/plot-area.js").Figure}
  */
-export function forceFigure(trace, theme, size) {
+export function forceFigure(trace, theme, size, ghosts = NO_GHOSTS) {
   const { time, normal_force: normalForce, contact_duration: duration } = trace;
-  const reach = forceReach(normalForce);
+  const reach = Math.max(forceReach(normalForce), 1.05 * ghosts.tangentialForce);
+  const span = Math.max(duration, ghosts.duration);
   const { unit } = theme;
   const inner = innerSize(size, TRACE_MARGIN, theme);
   // The ribbon takes its pixels above the forces, whatever the height of the plot.
   const perPixel = (2 * reach) / Math.max(1, inner.height - unit * RIBBON_PIXELS);
   const top = reach + unit * RIBBON_PIXELS * perPixel;
-  const pixelsPerTime = inner.width / duration;
+  const pixelsPerTime = inner.width / span;
   const numbers = switchNumbers(
     trace.switch_times,
     duration,
@@ -42,13 +45,14 @@ export function forceFigure(trace, theme, size) {
     theme,
   );
   const pieces = regimePieces(trace, pixelsPerTime / unit);
-  const factor = enlargement(trace.tangential_force_over_mu);
+  const factor = enlargement(trace.tangential_force_over_mu, ghosts.tangentialForce);
   const ribbon = { base: reach + unit * perPixel, top: top - unit * perPixel };
   return {
     data: [
       regimeShades(pieces, { base: -reach, top: reach }, theme),
       regimeRibbon(pieces, ribbon, numbers.x, pixelsPerTime, theme),
       envelope(time, normalForce, theme),
+      ...ghosts.lines("tangential_force_over_mu", theme, factor),
       {
         name: "tangential force / mu",
         type: "scatter",
@@ -57,12 +61,12 @@ export function forceFigure(trace, theme, size) {
         y: enlarged(trace.tangential_force_over_mu, factor),
         line: { width: 2.25 * unit, color: theme.tangentialForce, simplify: false },
       },
-      enlargementNote(factor, reach, duration, theme),
+      enlargementNote(factor, reach, span, theme),
       numbers,
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),
-      xaxis: timeAxis(theme, duration),
+      xaxis: timeAxis(theme, span),
       yaxis: {
         ...plainAxis(theme, [-reach, top], [-1, 0, 1], ["−1", "0", "1"]),
         zeroline: true,
@@ -79,9 +83,10 @@ const FLAT = 0.03;
 /**
  * The power of ten by which a force is drawn larger than it is, so that one sees what it does.
  * @param {Float64Array} forces
+ * @param {number} least that is to be seen, too
  */
-function enlargement(forces) {
-  const largest = forces.reduce((most, force) => Math.max(most, Math.abs(force)), 0);
+function enlargement(forces, least) {
+  const largest = forces.reduce((most, force) => Math.max(most, Math.abs(force)), least);
   // Nothing is not enlarged, and what no double holds is not, either.
   return largest > 1e-300 && largest < FLAT ? 10 ** -Math.ceil(Math.log10(largest)) : 1;
 }

@@ -14,6 +14,7 @@ import { createMapLegend } from "../../widgets/plots/map-legend.js";
 import { createPlot } from "../../widgets/plots/plot.js";
 import { createSurface } from "../../widgets/plots/surface.js";
 import { onThemeChange } from "../../widgets/theme.js";
+import { NO_GHOSTS } from "./ghosts.js";
 
 /**
  * The map with its crosshair, which is laid over the plot so that moving it draws nothing anew.
@@ -24,7 +25,17 @@ import { onThemeChange } from "../../widgets/theme.js";
  */
 export function mountMap(element, { onPlace, onOption }) {
   const plotElement = find(".plot", element);
-  const plot = createPlot(plotElement, mapFigure);
+  let ghosts = NO_GHOSTS;
+  const plot = createPlot(
+    plotElement,
+    (/** @type {Parameters<typeof mapFigure>[0]} */ map, theme, size) => {
+      const figure = mapFigure(map, theme, size);
+      figure.data.push(
+        ...ghosts.marks(({ collision }) => placeOnMap(map.view, collision), figure, theme),
+      );
+      return figure;
+    },
+  );
   const legend = createMapLegend(find(".map-legend", element));
   const crosshair = mountCrosshair(find(".crosshair", element), MAP_AXES, onPlace);
   const surface = createSurface(find(".plot-stage", element));
@@ -64,6 +75,14 @@ export function mountMap(element, { onPlace, onOption }) {
 
   return {
     legend,
+
+    /** @param {typeof ghosts} next */
+    showGhosts(next) {
+      ghosts = next;
+      if (element.dataset.shape === "flat") {
+        drawFlat();
+      }
+    },
 
     /** @param {import("../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {

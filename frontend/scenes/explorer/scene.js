@@ -14,6 +14,7 @@ import { createBallLoad } from "../../state/loading/collision-load.js";
 import { mountBounce } from "./bounce/bounce.js";
 import { mountCut } from "./cut/cut.js";
 import { mountEnergyToggle } from "./energy-toggle.js";
+import { NO_GHOSTS } from "./ghosts.js";
 import { readMap } from "./map-reading.js";
 import { mountMap } from "./map.js";
 import { bounceTable, cutTable, forceTable, velocityTable } from "./tables.js";
@@ -44,7 +45,7 @@ const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
 /**
  * The scene "Explorer": force, velocity and contact over time, the map, and the cut through it.
  * @param {import("../scene.js").Page} page
- * @returns {import("../scene.js").Scene}
+ * @returns {import("../scene.js").Scene & {showGhosts: (ghosts: import("./ghosts.js").Ghosts) => void}}
  */
 export function mountExplorer({ client, present, set, setCollision, preview, explain, explainBy }) {
   const force = mountForceTrace(byTestId("force-trace"));
@@ -61,6 +62,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   /** @type {Parameters<typeof cut.show>[0] | null} */
   let shownCut = null;
   let hasPlayed = false;
+  let ghosts = NO_GHOSTS;
 
   const maps = createFollower({
     load: client.map,
@@ -184,6 +186,16 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   const request = () => ({ call: "trace", query: traceQuery(present().collision) });
 
   return {
+    showGhosts(next) {
+      ghosts = next;
+      [force, velocity, map, cut].forEach((picture) => picture.showGhosts(next));
+      timeCursor.reach(next.duration);
+      if (trace) {
+        force.show(trace, false);
+        velocity.show(trace, false);
+      }
+    },
+
     show(state, previous, { inputTimeStamp }) {
       map.point(state.collision);
       map.options(state);
@@ -240,13 +252,13 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
         title: say("force.title"),
         request,
         parameters,
-        table: () => trace && forceTable(trace),
+        table: () => trace && [forceTable(trace), ...ghosts.tables(forceTable)],
       },
       velocity: {
         title: say("velocity.title"),
         request,
         parameters,
-        table: () => trace && velocityTable(trace),
+        table: () => trace && [velocityTable(trace), ...ghosts.tables(velocityTable)],
       },
       contact: {
         title: say("bounce.title"),

@@ -37,11 +37,13 @@ export function mountTimeCursor(onPoint) {
   let share = null;
   /** That of the bounce, null while the ball flies. @type {number | null} */
   let shown = null;
+  /** How long the axis is at least, in time. */
+  let least = 0;
 
   for (const cursor of cursors) {
     layOver(cursor, TRACE_MARGIN);
     cursor.addEventListener("pointermove", (event) => {
-      move(Math.min(1, Math.max(0, event.offsetX / cursor.clientWidth)));
+      move(Math.min(1, Math.max(0, (event.offsetX / cursor.clientWidth) * axis())));
     });
     cursor.addEventListener("pointerleave", () => move(null));
   }
@@ -55,15 +57,21 @@ export function mountTimeCursor(onPoint) {
     draw();
   }
 
+  /** The length of the axis over that of the contact. */
+  function axis() {
+    return trace ? Math.max(1, least / trace.contact_duration) : 1;
+  }
+
   function draw() {
     if (!trace) {
       return;
     }
     const sample = share === null ? -1 : nearest(trace.time, share * trace.contact_duration);
-    const place = share === null ? shown : trace.time[sample] / trace.contact_duration;
-    const isThere = place !== null;
+    const instant = share === null ? shown : trace.time[sample] / trace.contact_duration;
+    const isThere = instant !== null;
+    const place = (instant ?? 0) / axis();
     for (const [k, cursor] of cursors.entries()) {
-      cursor.style.setProperty("--x", (place ?? 0).toFixed(4));
+      cursor.style.setProperty("--x", place.toFixed(4));
       cursor.toggleAttribute("data-on", isThere);
       cursor.toggleAttribute("data-read", share !== null);
       cursor.toggleAttribute("data-late", isThere && place > 0.55);
@@ -77,6 +85,12 @@ export function mountTimeCursor(onPoint) {
     /** @param {Trace} next */
     show(next) {
       trace = next;
+      draw();
+    },
+
+    /** How long the axis is at least. @param {number} duration */
+    reach(duration) {
+      least = duration;
       draw();
     },
 

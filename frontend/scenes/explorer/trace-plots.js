@@ -4,6 +4,7 @@ import { significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { createPlot } from "../../widgets/plots/plot.js";
 import { showReason } from "../../widgets/show-reason.js";
+import { NO_GHOSTS } from "./ghosts.js";
 import { forceFigure } from "./force-figure.js";
 import { velocityFigure } from "./velocity-figure.js";
 
@@ -34,8 +35,8 @@ export function mountForceTrace(element) {
  */
 export function mountVelocity(element) {
   let withEnergy = false;
-  const plot = createTracePlot(element, (trace, theme, size) =>
-    velocityFigure(trace, theme, size, withEnergy),
+  const plot = createTracePlot(element, (trace, theme, size, ghosts) =>
+    velocityFigure(trace, theme, size, withEnergy, ghosts),
   );
   return {
     ...plot,
@@ -64,7 +65,12 @@ export function mountVelocity(element) {
  * @param {(...args: Parameters<typeof forceFigure>) => import("../../figures/plot-area.js").Figure} makeFigure
  */
 function createTracePlot(element, makeFigure) {
-  const plot = createPlot(element, makeFigure);
+  let ghosts = NO_GHOSTS;
+  const plot = createPlot(
+    element,
+    (/** @type {Parameters<typeof forceFigure>[0]} */ trace, theme, size) =>
+      makeFigure(trace, theme, size, ghosts),
+  );
   const stage = /** @type {HTMLElement} */ (element.parentElement);
 
   return {
@@ -77,6 +83,10 @@ function createTracePlot(element, makeFigure) {
         showReason(stage, "");
       }
       return plot.show(trace, dragging);
+    },
+    /** What lies behind the next picture. @param {typeof ghosts} next */
+    showGhosts(next) {
+      ghosts = next;
     },
     /** @param {string} reason */
     showReason: (reason) => showReason(stage, reason),

@@ -8,6 +8,7 @@ import {
   TRACE_MARGIN,
 } from "../../figures/plot-area.js";
 import { brief, powerOfTen } from "../../format/number.js";
+import { NO_GHOSTS } from "./ghosts.js";
 import { regimePieces, regimeShades } from "./regimes.js";
 
 /** Nearer to one another, the marks of the turns would hide the curve between them. */
@@ -23,24 +24,28 @@ const LONGEST_REACH = 8e307;
  * @param {import("../../figures/theme.js").Theme} theme
  * @param {import("../../figures/plot-area.js").Size} size
  * @param {boolean} [withEnergy] whether the share of the energy that is left is drawn too
+ * @param {import("./ghosts.js").Ghosts} [ghosts]
  * @returns {import("../../figures/plot-area.js").Figure}
  */
-export function velocityFigure(trace, theme, size, withEnergy = false) {
+export function velocityFigure(trace, theme, size, withEnergy = false, ghosts = NO_GHOSTS) {
   const { time, tangential_velocity: velocity, contact_duration: duration } = trace;
-  const reach = roundedUp(Math.abs(velocity[0]));
+  const reach = roundedUp(Math.max(Math.abs(velocity[0]), ghosts.velocity));
+  const span = Math.max(duration, ghosts.duration);
   const { unit } = theme;
   // Where plain digits would not fit beside the axis, it is numbered in a power of ten.
   const power = reach >= 0.01 && reach < 1000 ? 0 : Math.floor(Math.log10(reach));
   const last = time.length - 1;
   const width = innerSize(size, TRACE_MARGIN, theme).width / unit;
   const turns = turnsShown(trace, width);
-  const pieces = regimePieces(trace, width / duration);
+  const pieces = regimePieces(trace, width / span);
   // Most collisions come back slowly: half of the axis below zero is enough for them.
-  const bottom = smallest(velocity) < -reach / 2 ? -reach : -reach / 2;
+  const bottom =
+    Math.min(smallest(velocity), ghosts.leastVelocity) < -reach / 2 ? -reach : -reach / 2;
   const range = [bottom - 0.03 * reach, 1.03 * reach];
   return {
     data: [
       regimeShades(pieces, { base: bottom, top: reach }, theme),
+      ...ghosts.lines("tangential_velocity", theme),
       {
         name: "tangential velocity",
         type: "scatter",
@@ -74,7 +79,7 @@ export function velocityFigure(trace, theme, size, withEnergy = false) {
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),
-      xaxis: timeAxis(theme, duration),
+      xaxis: timeAxis(theme, span),
       yaxis: {
         ...plainAxis(
           theme,

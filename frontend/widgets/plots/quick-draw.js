@@ -23,9 +23,21 @@ export function quickDraw(element, shown, next) {
   }
   const scale = pixelScale(next.layout);
   for (const [i, marks] of drawn.entries()) {
+    if (isSame(shown.data[i], next.data[i])) {
+      continue;
+    }
     (next.data[i].type === "bar" ? moveBars : moveScatter)(next.data[i], marks, scale);
   }
   return true;
+}
+
+/**
+ * Whether a trace is drawn from the very arrays that are drawn, as what is pinned is.
+ * @param {Record<string, any>} shown
+ * @param {Record<string, any>} next
+ */
+function isSame(shown, next) {
+  return next.mode === "lines" && shown.x === next.x && shown.y === next.y;
 }
 
 /**

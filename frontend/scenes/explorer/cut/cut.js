@@ -22,6 +22,7 @@ import { layOver } from "../../../widgets/plots/overlay.js";
 import { createPlot } from "../../../widgets/plots/plot.js";
 import { showReason } from "../../../widgets/show-reason.js";
 import { typeset } from "../../../widgets/typeset.js";
+import { NO_GHOSTS } from "../ghosts.js";
 import { cutFigure, hasStiffLimit } from "./cut-figure.js";
 
 /**
@@ -45,6 +46,9 @@ export function mountCut(element, { onPlace, onOption }) {
     const figure = cutFigure(subject, theme, size);
     axis = figure.axis;
     moveMark();
+    figure.data.push(
+      ...ghosts.marks((ghost) => placeOf(subject, ghost, figure.axis), figure, theme),
+    );
     return figure;
   });
   const stage = find(".plot-stage", element);
@@ -66,6 +70,7 @@ export function mountCut(element, { onPlace, onOption }) {
   let epsilon = 0;
   let isOnCurve = false;
   let most = 0;
+  let ghosts = NO_GHOSTS;
 
   onChoice(element, onOption);
   followDrag(mark, {
@@ -84,7 +89,7 @@ export function mountCut(element, { onPlace, onOption }) {
     }
     const { view, along } = shown;
     const words = axesInWords(view, present);
-    const place = placeWithin(shareOf(shown, present), axis.share(epsilon));
+    const place = placeOf(shown, { collision: present, epsilon_t: epsilon }, axis);
     const height = `ε_t = ${significant(epsilon)}`;
     const there = along === "kappa" ? words.x : words.y;
     ring.show(place, { x: `${there}: ${height}`, y: height });
@@ -117,6 +122,12 @@ export function mountCut(element, { onPlace, onOption }) {
     /** @param {import("../../../api/answers.js").Preset[]} presets among which the letters of Fig. 5 are */
     offer(presets) {
       letters = lettersOf(presets);
+      draw(false);
+    },
+
+    /** @param {typeof ghosts} next */
+    showGhosts(next) {
+      ghosts = next;
       draw(false);
     },
 
@@ -180,6 +191,16 @@ function shareOf({ view, along }, collision) {
   return along === "kappa"
     ? view.kappa.toShare(collision.kappa)
     : view.gtOverGn.toShare(heightOf(view.vertical, collision));
+}
+
+/**
+ * Where a collision stands on the picture of a cut, with its own ε_t.
+ * @param {Pick<ShownCut, "view" | "along">} cut
+ * @param {import("../ghosts.js").Ghost} ghost
+ * @param {import("./vertical-axis.js").VerticalAxis} axis
+ */
+function placeOf(cut, { collision, epsilon_t }, axis) {
+  return placeWithin(shareOf(cut, collision), axis.share(epsilon_t));
 }
 
 /**
