@@ -63,6 +63,7 @@ export function forceFigure(trace, theme, size, ghosts = NO_GHOSTS) {
       },
       enlargementNote(factor, reach, span, theme),
       numbers,
+      ...ghosts.letters("tangential_force_over_mu", theme, factor),
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),

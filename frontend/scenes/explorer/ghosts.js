@@ -10,6 +10,7 @@
  * @property {number} leastVelocity
  * @property {(column: "tangential_force_over_mu" | "tangential_velocity", theme: Theme, factor?: number) => Record<string, any>[]} lines
  *   over time, drawn larger by a factor
+ * @property {Ghosts["lines"]} letters of these lines, to be drawn over everything
  * @property {(placeOf: (ghost: Ghost) => import("../../state/scales.js").Place, figure: import("../../figures/plot-area.js").Figure, theme: Theme) => Record<string, any>[]} marks
  *   where they lie on a map or a cut
  * @property {(tableOf: (trace: import("../../api/answers.js").Trace) => Table) => Table[]} tables
@@ -26,6 +27,7 @@ export const NO_GHOSTS = {
   velocity: 0,
   leastVelocity: 0,
   lines: () => [],
+  letters: () => [],
   marks: () => [],
   tables: () => [],
 };

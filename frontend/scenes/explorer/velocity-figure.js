@@ -76,6 +76,7 @@ export function velocityFigure(trace, theme, size, withEnergy = false, ghosts = 
         cliponaxis: false,
       },
       ...(withEnergy ? [energyLine(trace, reach, theme)] : []),
+      ...ghosts.letters("tangential_velocity", theme),
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),

@@ -13,10 +13,8 @@ const LETTER_PIXELS = 15;
 const LETTER_SHARES = [0.2, 0.36, 0.52];
 
 /** Where what is beyond the axes lies. */
-const [SIDEWAYS, UPWARDS] = [
-  ["← ", "", " →"],
-  ["↓ ", "", " ↑"],
-];
+const SIDEWAYS = ["←", "", "→"];
+const UPWARDS = ["↓", "", "↑"];
 
 /**
  * What is pinned, for the pictures of the present collision.
@@ -43,12 +41,13 @@ export function createGhosts(pinned) {
       velocity.reduce((largest, value) => Math.max(largest, -value), 0),
     ),
 
-    lines(column, theme, factor = 1) {
-      const lines = drawn.map(({ index, trace }) => ({
+    lines: (column, theme, factor = 1) =>
+      drawn.map(({ index, trace }) => ({
         name: `pinned ${letterAt({ index })}`,
         type: "scatter",
         mode: "lines",
         x: trace.time,
+        // The very array, so that a drag finds it drawn already.
         y: factor === 1 ? trace[column] : trace[column].map((value) => factor * value),
         line: {
           width: 1.75 * theme.unit,
@@ -56,29 +55,31 @@ export function createGhosts(pinned) {
           dash: DASHES[index],
           simplify: false,
         },
-      }));
-      const marked = drawn.map(({ index, trace: { time, contact_duration: duration } }, i) => {
-        const at = time.findIndex((instant) => instant >= LETTER_SHARES[index] * duration);
-        return { index, x: time[at], y: lines[i].y[at], text: letterAt({ index }) };
+      })),
+
+    letters(column, theme, factor = 1) {
+      const marked = drawn.map(({ index, trace }) => {
+        const instant = LETTER_SHARES[index] * trace.contact_duration;
+        const at = trace.time.findIndex((time) => time >= instant);
+        const text = letterAt({ index });
+        return { index, x: trace.time[at], y: factor * trace[column][at], text };
       });
-      return [...lines, ...letters(marked, theme)];
+      return letterMarks(marked, theme);
     },
 
     marks(placeOf, { layout }, theme) {
       const [bottom, top] = layout.yaxis.range;
       const marked = placed.map((ghost) => {
         const { x, y, beyond } = placeOf(ghost);
-        const [along, up] = [SIDEWAYS[beyond.x + 1], UPWARDS[beyond.y + 1]];
-        const text = letterAt(ghost);
-        const arrows = [along, up].map((arrow) => arrow.trim()).join("");
+        const arrows = `${SIDEWAYS[beyond.x + 1]}${UPWARDS[beyond.y + 1]}`;
         return {
           index: ghost.index,
           x: clamp(x),
           y: bottom + clamp(y) * (top - bottom),
-          text: arrows ? `${text}${arrows}` : text,
+          text: `${letterAt(ghost)}${arrows}`,
         };
       });
-      return letters(marked, theme);
+      return letterMarks(marked, theme);
     },
 
     tables: (tableOf) =>
@@ -100,7 +101,7 @@ function colorsOf({ pinA, pinB, pinC }) {
  * @param {{index: number, x: number, y: number, text: string}[]} marked
  * @param {Theme} theme
  */
-function letters(marked, theme) {
+function letterMarks(marked, theme) {
   const colors = marked.map(({ index }) => colorsOf(theme)[index]);
   const trace = {
     name: "letters of what is pinned",

@@ -17,7 +17,7 @@ import { createTable } from "./table.js";
  * @typedef {import("../../../state/url.js").PageState} PageState
  */
 
-/** Pictures whose legend says which line is of which collision. */
+/** Pictures whose legend says which line is of which collision, where the table is not beside them. */
 const KEYED = [".force", ".velocity"];
 
 /** A collision that is pinned is no drag's: its answer is waited for. */
@@ -73,7 +73,7 @@ export function mountCompare({ client, present, set, setCollision, explain }, sh
 
   /** @param {PageState} state */
   async function ask(state) {
-    if (state.pins === asked) {
+    if (state.pins === asked || state.scene !== "explorer") {
       return;
     }
     asked = state.pins;
@@ -157,7 +157,7 @@ function drawKeys(legend, pinned) {
   for (const pin of pinned) {
     const letter = letterAt(pin);
     const swatch = make("span", `swatch pin-line pin-${letter}`);
-    const values = told("span", "pin-told", `: ${inALine(pin.collision)}`);
-    legend.append(make("li", "pin-key", swatch, make("span", "", letter, values)));
+    const values = told("span", "", `${letter}: ${inALine(pin.collision)}`);
+    legend.append(make("li", "pin-key", swatch, values));
   }
 }

@@ -180,6 +180,7 @@ function differenceInWords(value, present, times) {
     return "";
   }
   const difference = times * (value - present);
+  const digits = Number.isInteger(difference) ? String(Math.abs(difference)).length : 3;
   const sign = difference > 0 ? "+" : "";
-  return value === present ? "=" : `${sign}${significant(difference, 3)}`;
+  return value === present ? "=" : `${sign}${significant(difference, Math.min(3, digits))}`;
 }
