@@ -54,7 +54,10 @@
         bottom: bottom - 0.2 * (bottom - top),
       };
       lines.push({ element: parent, box });
-      if (!parent.closest(".table-frame, .reading") && (left < -0.5 || right > width + 0.5)) {
+      if (
+        !parent.closest(".table-frame, .compare-frame, .reading") &&
+        (left < -0.5 || right > width + 0.5)
+      ) {
         say("outside of the window", parent, box);
       }
     }

@@ -32,6 +32,7 @@ LONGEST = {
 STATES = {
     "explorer": "kappa=2500000&mu_over_alpha=1.412&gt_over_gn=1.3579&damping=1.5&alpha=0.285714",
     "undamped": "kappa=63&mu_over_alpha=1.4&gt_over_gn=1.358&map=switches&scale=log&energy=shown",
+    "compared": "kappa=30&pins=2500000,1.412,1.3579,1.5;4.5,1.4,4;18,0.8,0.9",
     "real spheres": "scene=spheres",
     "real spheres, unfolded": "scene=spheres&normal_restitution=0.9&radius_2_m=0.01",
     "lesson": "scene=lesson&step=9&lang=de&notes=shown",

@@ -64,7 +64,7 @@ export function createTable({ onBack, onAway }) {
   const table = make("table", "", make("thead", "", head), body);
   const element = make("div", "compare-frame", table);
   element.tabIndex = 0;
-  element.setAttribute("role", "region");
+  element.setAttribute("role", "group");
   element.setAttribute("aria-label", say("compare.title"));
   for (const { heading, className = "" } of QUANTITIES) {
     head.append(Object.assign(told("th", className, heading()), { scope: "col" }));
