@@ -21,6 +21,7 @@ THEMES = ("light", "dark")
 SCENES = {
     "explorer": "",
     "explorer-figure-5-a": "kappa=63&mu_over_alpha=1.4&gt_over_gn=3.08",
+    "explorer-compared": "kappa=30&gt_over_gn=1.2&pins=63,1.4,1.358;4.5,1.4,4;18,0.8,0.9,0.3",
     "explorer-stiff-limit": "kappa=2000&mu_over_alpha=1.4&gt_over_gn=1",
     "explorer-superball": "kappa=0.953&mu_over_alpha=1000&gt_over_gn=1"
     "&spin_share=0.714&bounce=wall_twice",

@@ -15,6 +15,7 @@ SCENES = {
     "explorer": "",
     "switches": "map=switches&gt_over_gn=0.3&energy=shown",
     "damped": "damping=0.3",
+    "compared": "kappa=30&pins=63,1.4,1.358;4.5,1.4,4;18,0.8,0.9,0.3",
     "real spheres": "scene=spheres&material=alumina-on-glass",
     "real spheres, unfolded": "scene=spheres&normal_restitution=0.9&radius_2_m=0.01",
     "speed and accuracy": "scene=accuracy&method=timestep",
@@ -36,7 +37,7 @@ FAULTS = """() => {
     return range.getBoundingClientRect();
   };
   const faults = [];
-  const panels = [".result", ".side", ".lesson", ".plot-panel"].flatMap((s) =>
+  const panels = [".result", ".compare", ".side", ".lesson", ".plot-panel"].flatMap((s) =>
     seen.filter((e) => e.matches(s)));
   for (const panel of panels) {
     const name = panel.className;

@@ -75,8 +75,9 @@ export function velocityFigure(trace, theme, size, withEnergy = false, ghosts = 
         marker: { size: 8 * unit, color: theme.velocity },
         cliponaxis: false,
       },
-      ...(withEnergy ? [energyLine(trace, reach, theme)] : []),
       ...ghosts.letters("tangential_velocity", theme),
+      // Last, for Plotly draws what has an axis of its own after all else.
+      ...(withEnergy ? [energyLine(trace, reach, theme)] : []),
     ],
     layout: {
       ...baseLayout(theme, size, TRACE_MARGIN),
