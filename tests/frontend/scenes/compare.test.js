@@ -69,5 +69,8 @@ test("a mark beyond the axes is at their end with an arrow, and what has no answ
   const [marks] = ghosts.marks(() => place, figure, THEME);
   assert.deepEqual([marks.text, marks.x, marks.y], [["A→"], [1], [0]]);
   assert.deepEqual(ghosts.lines("tangential_velocity", THEME), []);
-  assert.deepEqual(createGhosts([silent]).marks(() => place, figure, THEME), []);
+  assert.deepEqual(
+    createGhosts([silent]).marks(() => place, figure, THEME),
+    [],
+  );
 });
