@@ -76,7 +76,7 @@ export function velocityFigure(trace, theme, size, withEnergy = false, ghosts = 
         cliponaxis: false,
       },
       ...ghosts.letters("tangential_velocity", theme),
-      // Last, for Plotly draws what has an axis of its own after all else.
+      // Last, for what has an axis of its own is drawn after all else.
       ...(withEnergy ? [energyLine(trace, reach, theme)] : []),
     ],
     layout: {
