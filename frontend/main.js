@@ -11,6 +11,7 @@ import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
 import { takeTexts } from "./page/texts.js";
+import { mountUndo } from "./page/undo.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
@@ -63,6 +64,7 @@ const setters = {
 const shell = mountShell({ present: store.get, onOption: store.set });
 const collision = mountCollision(setters);
 const face = mountFace(store.set);
+const undo = mountUndo({ present: store.get, set: store.set });
 const firstHint = mountFirstHint();
 
 /** @type {import("./scenes/scene.js").Page} */
@@ -121,8 +123,9 @@ store.subscribe((state, previous, change) => {
   }
   show(state, previous, change);
   if (!change.fromAddress) {
-    addressBar.follow(state, change.dragging);
+    addressBar.follow(state, change);
   }
+  undo.follow(state, change);
   if (!connection.isLost()) {
     follow(state, previous, change);
   } else if (!change.dragging) {

@@ -5,7 +5,7 @@ import { readAddress, writeAddress } from "./url.js";
 /** Browsers refuse more than some twenty changes of the address a second. */
 const PAUSE = 150;
 /** Changes that follow one another faster, as of a held arrow key, are one step back. */
-const ONE_STEP = 1000;
+export const ONE_STEP = 1000;
 
 /**
  * The address bar, which holds the whole state: a drag moves along one entry of the history and adds
@@ -40,13 +40,19 @@ export function createAddressBar(onReturn) {
 
     /**
      * @param {import("./url.js").PageState} state
-     * @param {boolean} dragging
+     * @param {import("./store.js").Change} change
      */
-    follow(state, dragging) {
+    follow(state, { dragging, isWorkedOut }) {
       const address = writeAddress(state);
       clearTimeout(timer);
       if (dragging) {
         timer = setTimeout(() => history.replaceState(null, "", address), PAUSE);
+        return;
+      }
+      if (isWorkedOut) {
+        // No step of its own, or from the one before it back would lead here again.
+        settled = address;
+        history.replaceState(null, "", address);
         return;
       }
       if (address !== settled) {

@@ -6,6 +6,7 @@
  * @property {boolean} dragging whether more of the same kind is to be expected at once
  * @property {number} inputTimeStamp of the event behind it, in the clock of performance.now()
  * @property {boolean} [fromAddress] whether it was read from the address bar
+ * @property {boolean} [isWorkedOut] whether it is the collision of an impact, which follows by itself
  */
 
 /**

@@ -113,7 +113,7 @@ export function mountSpheres({ client, present, set, preview, say: notify, expla
     onAnswer(answer, { change }) {
       shown.scaling = answer;
       result.show(answer);
-      set(collisionOfImpact(answer), change);
+      set(collisionOfImpact(answer), { ...change, isWorkedOut: true });
       drawCut(change.dragging);
       announce("impact", change);
     },
