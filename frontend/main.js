@@ -10,9 +10,10 @@ import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
-import { takeTexts } from "./page/texts.js";
+import { takeLaterTexts, takeTexts } from "./page/texts.js";
 import { mountUndo } from "./page/undo.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
+import { mountSaveAll } from "./pictures/save-all.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
 import { createAddressBar } from "./state/address-bar.js";
@@ -103,8 +104,16 @@ const DEFERRED = [
     async () => (await import("./page/presenting/presenting.js")).mountPresenting,
   ],
 ];
+const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
+/** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
+const panels = [];
 const scenes = [explorer, ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus))];
 [collision, scenes[0]].forEach(mountMenus);
+mountSaveAll(panels, store.get, {
+  ...load,
+  words: () => takeLaterTexts(client.words),
+  say: notice.say,
+});
 
 const collisions = createLatest({
   load: createCollisionLoad(client),
@@ -140,9 +149,8 @@ reportAddressProblems(problems);
 
 /** @param {Pick<import("./scenes/scene.js").Scene, "pictures">} scene */
 function mountMenus({ pictures }) {
-  const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
   for (const [name, picture] of Object.entries(pictures)) {
-    mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load);
+    panels.push(mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load));
   }
 }
 

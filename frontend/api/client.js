@@ -88,7 +88,7 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
    * @param {AbortSignal} [signal]
    * @param {RequestInit} [how]
    */
-  async function get(url, signal, how = {}) {
+  async function ask(url, signal, how = {}) {
     const limit = AbortSignal.timeout(LONGEST_WAIT);
     const until = signal ? AbortSignal.any([signal, limit]) : limit;
     let response;
@@ -104,10 +104,17 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
     if ([502, 503, 504].includes(response.status)) {
       throw new Unreachable("busy");
     }
-    const body = await response.json().catch(() => null);
     if (!response.ok) {
+      const body = await response.json().catch(() => null);
       throw new Refused(response.status, body?.detail);
     }
+    return response;
+  }
+
+  /** @type {(...request: Parameters<typeof ask>) => Promise<{body: any, milliseconds: number | null}>} */
+  async function get(...request) {
+    const response = await ask(...request);
+    const body = await response.json().catch(() => null);
     if (body === null) {
       throw new Unreachable("brokenOff");
     }
@@ -275,16 +282,16 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
     },
 
     /**
-     * What is answered to a request that is posted, as a file.
+     * What is answered to a request, as a file.
      * @param {import("../format/requests.js").Request} request
+     * @returns {Promise<Blob>}
      */
     async file({ call, query, body }) {
       const url = `${base}/${call}?${new URLSearchParams(query)}`;
-      const response = await fetch(url, posted(body ?? {}));
-      if (!response.ok) {
-        throw new Refused(response.status);
-      }
-      return response.blob();
+      const response = await ask(url, undefined, body && posted(body));
+      return response.blob().catch(() => {
+        throw new Unreachable("brokenOff");
+      });
     },
 
     /**

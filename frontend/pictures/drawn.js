@@ -1,32 +1,34 @@
 // @ts-check
 
-import { download } from "./download.js";
 import { withFonts } from "./embedded-fonts.js";
 
 /** A bitmap for a slide: so many pixels to one of the page. */
 const BITMAP_SCALE = 3;
 
 /**
- * @typedef {object} Saving
- * @property {"png" | "svg"} format
- * @property {string} fileName
- * @property {(address: string) => Promise<Blob>} loadFont
+ * A picture as it is drawn, still without its fonts.
+ * @typedef {object} Drawn
+ * @property {string} svg
+ * @property {{width: number, height: number}} size
  */
 
 /**
- * Gives the reader a picture that is drawn, as it is or as a bitmap, with its fonts.
- * @param {string} svg
- * @param {{width: number, height: number}} size
- * @param {Saving} saving
+ * The same with its fonts, as files.
+ * @param {Drawn} drawn
+ * @param {(address: string) => Promise<Blob>} loadFont
  */
-export async function downloadDrawn(svg, size, { format, fileName, loadFont }) {
-  const picture = `data:image/svg+xml,${encodeURIComponent(await withFonts(svg, loadFont))}`;
-  download(format === "svg" ? picture : await bitmapOf(picture, size), fileName);
+export async function filesOf({ svg, size }, loadFont) {
+  const whole = await withFonts(svg, loadFont);
+  return {
+    svg: async () => new Blob([whole], { type: "image/svg+xml" }),
+    png: () => bitmapOf(`data:image/svg+xml,${encodeURIComponent(whole)}`, size),
+  };
 }
 
 /**
  * @param {string} picture
  * @param {{width: number, height: number}} size
+ * @returns {Promise<Blob>}
  */
 async function bitmapOf(picture, { width, height }) {
   const image = new Image();
@@ -36,5 +38,7 @@ async function bitmapOf(picture, { width, height }) {
   canvas.width = BITMAP_SCALE * width;
   canvas.height = BITMAP_SCALE * height;
   canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height);
-  return canvas.toDataURL("image/png");
+  return new Promise((resolve, reject) => {
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no bitmap"))), "image/png");
+  });
 }

@@ -1,10 +1,11 @@
 // @ts-check
 
-import { addressOf, curlOf, fileName, frameOf, pythonOf, serverOf } from "../format/requests.js";
+import { addressOf, curlOf, frameOf, pythonOf, serverOf } from "../format/requests.js";
 import { say } from "../format/words.js";
 import { writeAddress } from "../state/url.js";
 import { find } from "../widgets/find.js";
 import { download } from "./download.js";
+import { panelPicture } from "./panel-picture.js";
 import { codeBlock, openSheet, tableElement } from "./sheet.js";
 
 /** Pixels between a button and its menu. */
@@ -38,29 +39,15 @@ const FILES = [
  */
 
 /**
- * What the menu of a picture needs to know of it, asked when the menu is used.
- * @typedef {object} Picture
- * @property {string} title
- * @property {() => string} [subject] what of several things it shows, for names of files
- * @property {() => string} [subjectTitle] the same for titles, where it is no symbol
- * @property {() => import("../format/requests.js").Request} request whose answer it shows
- * @property {() => Record<string, number | string>} parameters that name its files
- * @property {() => import("../figures/tables.js").Table | import("../figures/tables.js").Table[] | null} [table] null while there is no picture
- * @property {() => import("./save-picture.js").Crosshair | null} [place] of a crosshair that belongs to the picture
- */
-
-/**
  * The menu of a panel: its data, its picture, its table, its request, its frame.
  * @param {HTMLElement} panel with its name as `data-panel`
- * @param {Picture} picture
+ * @param {import("./panel-picture.js").Picture} picture
  * @param {() => import("../state/url.js").PageState} present
  * @param {Load} load
  */
 export function mountPictureMenu(panel, picture, present, load) {
-  const name = panel.dataset.panel ?? "";
-  // A surface in depth stands before the flat map; what is drawn is looked for when it is saved.
-  const drawn = () => panel.querySelector(".surface") ?? panel.querySelector(".plot, svg");
-  const hasPicture = drawn() !== null;
+  const saved = panelPicture(panel, picture);
+  const { name, hasPicture } = saved;
   const menu = document.createElement("div");
   const button = document.createElement("button");
   menu.id = `menu-${name}`;
@@ -78,11 +65,10 @@ export function mountPictureMenu(panel, picture, present, load) {
     link.textContent = text();
     link.title = title?.() ?? "";
     link.addEventListener("click", async (event) => {
-      const request = picture.request();
+      const request = saved.request(form);
       if (request.body) {
         event.preventDefault();
-        const file = await load.file({ ...request, query: { ...request.query, ...form } });
-        download(URL.createObjectURL(file), link.download);
+        download(await load.file(request), link.download);
       }
     });
     return { form, link };
@@ -119,14 +105,13 @@ export function mountPictureMenu(panel, picture, present, load) {
   (panel.querySelector(".panel-head") ?? panel).append(button, menu);
 
   menu.addEventListener("beforetoggle", () => {
-    const request = picture.request();
-    const isHere = !picture.table || picture.table() !== null;
+    const isHere = saved.isHere();
     dataGroup.hidden = !isHere;
     pictureGroup.hidden = !hasPicture || !isHere;
     table.hidden = !picture.table || !isHere;
     for (const { form, link } of data) {
-      link.href = addressOf({ ...request, query: { ...request.query, ...form } });
-      link.download = fileName(fileSubject(), picture.parameters(), form.format);
+      link.href = addressOf(saved.request(form));
+      link.download = saved.fileName(form.format);
     }
   });
   for (const [target, kind] of [
@@ -184,35 +169,16 @@ export function mountPictureMenu(panel, picture, present, load) {
     return element;
   }
 
-  function fileSubject() {
-    return [name, picture.subject?.() ?? []].flat().join("-");
-  }
-
-  function titleWithSubject() {
-    const { title } = picture;
-    const subject = picture.subjectTitle?.() ?? picture.subject?.();
-    return subject ? say("menu.of", { title, subject: MARKUP[subject] ?? subject }) : title;
-  }
-
   /** @param {"png" | "svg"} format */
   async function save(format) {
-    const element = drawn();
-    const parameters = Object.entries(picture.parameters());
-    const numbers = parameters.map(([key, value]) => `${MARKUP[key] ?? key} = ${value}`);
-    const options = {
-      format,
-      title: `${titleWithSubject()} · ${numbers.join(", ")}`,
-      fileName: fileName(fileSubject(), picture.parameters(), format),
-      loadFont: load.font,
-    };
     const saving = await import("./save-drawing.js").catch(() => null);
     if (!saving) {
       load.reportLost(say("server.saverMissing"));
-    } else if (element instanceof SVGSVGElement) {
-      saving.saveDrawing(element, options);
-    } else {
-      const place = element?.matches(".surface") ? null : (picture.place?.() ?? null);
-      saving.savePicture(/** @type {HTMLElement} */ (element), { ...options, place });
+      return;
+    }
+    const files = await saving.savedPicture(saved, load.font);
+    if (files) {
+      download(await files[format](), saved.fileName(format));
     }
   }
 
@@ -227,6 +193,8 @@ export function mountPictureMenu(panel, picture, present, load) {
   function embedAddress() {
     return new URL(writeAddress({ ...present(), embed: name }), location.href).href;
   }
+
+  return saved;
 }
 
 /**
@@ -242,12 +210,3 @@ function group(name, items) {
   element.append(label, ...items);
   return element;
 }
-
-/** @type {Record<string, string>} */
-const MARKUP = {
-  epsilon_t: "<i>ε</i><sub>t</sub>",
-  kappa: "<i>κ</i>",
-  mu_over_alpha: "<i>μ</i>/<i>α</i>",
-  gt_over_gn: "<i>g</i><sub>t</sub>/<i>g</i><sub>n</sub>",
-  damping: "<i>η</i>",
-};

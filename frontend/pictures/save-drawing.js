@@ -1,10 +1,8 @@
 // @ts-check
 
 import { currentTheme } from "../widgets/theme.js";
-import { downloadDrawn } from "./drawn.js";
-import { TITLE_PIXELS } from "./save-picture.js";
-
-export { savePicture } from "./save-picture.js";
+import { filesOf } from "./drawn.js";
+import { pictureOf, TITLE_PIXELS } from "./save-picture.js";
 
 /** What a style sheet gives a drawing; outside the page it has to carry it along. */
 const CARRIED = [
@@ -24,11 +22,26 @@ const CARRIED = [
 ];
 
 /**
- * Saves a drawing of the page itself, on the page's ground and under a title.
- * @param {SVGSVGElement} drawing
- * @param {import("./drawn.js").Saving & {title: string}} options with markup in the title, of which the drawing keeps the letters
+ * The picture of a panel as files; null while there is none.
+ * @param {import("./panel-picture.js").PanelPicture} panel
+ * @param {(address: string) => Promise<Blob>} loadFont
  */
-export async function saveDrawing(drawing, { title, ...options }) {
+export async function savedPicture({ drawn, title, place }, loadFont) {
+  const element = drawn();
+  const picture =
+    element instanceof SVGSVGElement
+      ? drawingOf(element, title())
+      : await pictureOf(/** @type {HTMLElement} */ (element), { title: title(), place: place() });
+  return picture && filesOf(picture, loadFont);
+}
+
+/**
+ * A drawing of the page itself, on the page's ground and under a title.
+ * @param {SVGSVGElement} drawing
+ * @param {string} title with markup, of which the drawing keeps the letters
+ * @returns {import("./drawn.js").Drawn}
+ */
+function drawingOf(drawing, title) {
   const { paper, ink, sans } = currentTheme();
   const { width, height } = drawing.viewBox.baseVal;
   const whole = { width, height: height + TITLE_PIXELS };
@@ -53,7 +66,7 @@ export async function saveDrawing(drawing, { title, ...options }) {
   });
   line.textContent = title.replaceAll("<sub>", "_").replace(/<[^>]*>/g, "");
   frame.append(ground, line, copy);
-  await downloadDrawn(new XMLSerializer().serializeToString(frame), whole, options);
+  return { svg: new XMLSerializer().serializeToString(frame), size: whole };
 }
 
 /**

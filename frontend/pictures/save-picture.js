@@ -1,7 +1,6 @@
 // @ts-check
 
 import { currentTheme } from "../widgets/theme.js";
-import { downloadDrawn } from "./drawn.js";
 
 const CONFIG = { staticPlot: true, showSendToCloud: false };
 /** Above the picture, for its title. */
@@ -18,14 +17,15 @@ const IN_FRAME = { type: "line", xref: "x domain", yref: "y domain" };
  */
 
 /**
- * Saves what a Plotly element shows, on the page's ground and under a title.
+ * What a Plotly element shows, on the page's ground and under a title; null while it shows nothing.
  * @param {HTMLElement} element
- * @param {import("./drawn.js").Saving & {title: string, place?: Crosshair | null}} options
+ * @param {{title: string, place: Crosshair | null}} options
+ * @returns {Promise<import("./drawn.js").Drawn | null>}
  */
-export async function savePicture(element, { place, title, ...options }) {
+export async function pictureOf(element, { place, title }) {
   const { data, layout } = /** @type {any} */ (element);
   if (!layout) {
-    return;
+    return null;
   }
   const theme = currentTheme();
   const head = TITLE_PIXELS * theme.unit;
@@ -61,7 +61,7 @@ export async function savePicture(element, { place, title, ...options }) {
     config: CONFIG,
   };
   const svg = await Plotly.toImage(figure, { format: "svg", width, height, imageDataOnly: true });
-  await downloadDrawn(svg, { width, height }, options);
+  return { svg, size: { width, height } };
 }
 
 /**

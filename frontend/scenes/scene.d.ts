@@ -1,6 +1,6 @@
 import type { createClient } from "../api/client.js";
 import type { Preset } from "../api/answers.js";
-import type { Picture } from "../pictures/picture-menu.js";
+import type { Picture } from "../pictures/panel-picture.js";
 import type { Accuracy } from "../state/accuracy.js";
 import type { CollisionWish, LoadedCollision } from "../state/loading/collision-load.js";
 import type { Collision } from "../state/parameters.js";

@@ -132,6 +132,7 @@ def _made(request: Request, text: str, headers: dict[str, str]) -> Response:
 USUAL_LANGUAGE = "en"
 
 LATER = (
+    "bundle",
     "codes",
     "compare",
     "errorMap",
@@ -145,7 +146,7 @@ LATER = (
     "tradeoff",
     "warnings",
 )
-"""Texts that come with the scenes that are not in the first view."""
+"""Texts that come with the scenes, and with what saves all, that are not in the first view."""
 
 State = frozenset[Entry]
 """The page's files."""
