@@ -23,8 +23,8 @@ export function mountUndo({ present, set }) {
   const stack = createUndoStack(present());
   const said = byTestId("said");
   const ways = {
-    undo: { button: titled("undo", IS_MAC ? "⌘Z" : say("undo.undo.key")), move: stack.undo },
-    redo: { button: titled("redo", IS_MAC ? "⇧⌘Z" : say("undo.redo.key")), move: stack.redo },
+    undo: { button: titled("undo", say("undo.undo.key")), move: stack.undo },
+    redo: { button: titled("redo", say("undo.redo.key")), move: stack.redo },
   };
 
   for (const [name, { button, move }] of Object.entries(ways)) {
@@ -83,7 +83,7 @@ export function mountUndo({ present, set }) {
  */
 function titled(name, key) {
   const element = /** @type {HTMLButtonElement} */ (byTestId(name));
-  element.title = `${element.ariaLabel} (${key})`;
+  element.title = `${element.ariaLabel} (${IS_MAC ? key.replace(/^\w+/, "Cmd") : key})`;
   return element;
 }
 
