@@ -164,7 +164,7 @@ function valueOf(text) {
  * @param {string} contents.lack
  */
 function readmeOf({ scene, link, time, panels, files, lack }) {
-  const result = panels.find(({ name }) => name === "result")?.picture.table?.();
+  const [result] = [panels.find(({ name }) => name === "result")?.picture.table?.()].flat();
   // Words may be divided on the page alone.
   const rows = result?.rows.map((row) => row.join(" = ").replaceAll("\u00ad", "")) ?? [];
   return [

@@ -6,7 +6,14 @@ import { writeAddress } from "./url.js";
 /** @typedef {import("./url.js").PageState} PageState */
 
 /** How the page looks and speaks is nothing that is shown: it stays as it is. */
-const USUAL_LOOKS = /** @type {const} */ ({ theme: "system", lang: "system", face: "usual" });
+const USUAL_LOOKS = /** @type {const} */ ({
+  theme: "system",
+  lang: "system",
+  face: "usual",
+  presenting: "off",
+  left: "contact",
+  right: "map",
+});
 
 /** To turn to another page is always a step of its own. */
 const TURNS = ["scene", "step"];
@@ -85,8 +92,8 @@ export function createUndoStack(initial) {
  * @param {PageState} present
  * @returns {PageState}
  */
-export function withLooks(state, { theme, lang, face }) {
-  return { ...state, theme, lang, face };
+export function withLooks(state, { theme, lang, face, presenting, left, right }) {
+  return { ...state, theme, lang, face, presenting, left, right };
 }
 
 /** @param {PageState} state */
