@@ -34,6 +34,7 @@ def test_points_of_the_tradeoff_are_those_measured(used_tab: Page, server: str):
     eventually(points_agree, used_tab)
 
 
+@pytest.mark.verify
 def test_a_click_on_a_point_chooses_its_method(used_tab: Page, server: str):
     visit(used_tab, "/?scene=accuracy")
     plot = used_tab.get_by_test_id("tradeoff")
@@ -179,6 +180,7 @@ def test_measuring_anew_is_not_offered_where_it_is_off(used_tab: Page):
     expect(used_tab.get_by_test_id("remeasure")).to_be_hidden()
 
 
+@pytest.mark.verify
 def test_steps_are_asked_for_once_and_only_where_they_are_shown(used_tab: Page, server: str):
     witness = Witness(used_tab, server)
 

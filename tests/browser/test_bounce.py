@@ -217,6 +217,7 @@ WORDS_APART = """() => [...document.querySelectorAll(".bounce-view .contact:not(
   })"""
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
 def test_the_words_in_the_contact_have_room_on_a_phone(used_tab: Page, server: str, language: str):
     used_tab.set_viewport_size({"width": 390, "height": 844})
@@ -243,6 +244,7 @@ def test_it_plays_once_by_itself_and_ends_with_the_whole_way(page: Page):
     expect(page.locator(".bounce-view")).to_have_count(1)
 
 
+@pytest.mark.verify
 def test_an_address_with_another_ball_is_told(used_tab: Page, server: str):
     visit(used_tab, "/?bounce=floor&spin_share=2")
     settle(used_tab, server)

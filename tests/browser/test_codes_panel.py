@@ -54,6 +54,7 @@ def test_nothing_is_asked_for_codes_until_it_is_wanted(page: Page, server: str):
     assert [url for url in asked if url.endswith("/codes")]
 
 
+@pytest.mark.verify
 def test_inputs_follow_the_collision(used_tab: Page, server: str):
     visit(used_tab, "/?scene=accuracy&kappa=20")
     settle(used_tab, server)

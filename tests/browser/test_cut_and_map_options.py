@@ -91,6 +91,7 @@ def test_a_logarithmic_cut_shows_magnitude_and_sign(used_tab: Page, server: str)
     expect(mark).not_to_have_attribute("data-negative", "")
 
 
+@pytest.mark.verify
 def test_the_stiff_limit_is_shown_and_named_only_where_it_says_something(
     used_tab: Page, server: str
 ):
@@ -110,6 +111,7 @@ def test_the_stiff_limit_is_shown_and_named_only_where_it_says_something(
     assert style == "dotted"
 
 
+@pytest.mark.verify
 def test_over_psi_the_map_and_the_cut_are_asked_for_once_whatever_the_friction(
     used_tab: Page, server: str
 ):
@@ -150,6 +152,7 @@ def test_a_cut_that_is_refused_says_so_in_the_page_s_language_and_why_in_the_ser
     expect(reason.locator("[lang=en]")).to_have_text("kappa is 63, which is too much")
 
 
+@pytest.mark.verify
 def test_the_pictures_speak_the_language_of_the_page(page: Page, server: str):
     page.goto("/?lang=de")
     settle(page, server)

@@ -22,6 +22,7 @@ def words_in(page: Page, name: str) -> list[str]:
     return page.get_by_test_id(name).locator(".scatterlayer .textpoint").all_text_contents()
 
 
+@pytest.mark.verify
 def test_figure_1_shows_coulombs_result_beside_coulombs_map(used_tab: Page, server: str):
     choose(used_tab, server, "figure-1")
     assert text(used_tab, "epsilon-t") == "0"
@@ -75,6 +76,7 @@ def test_the_force_of_the_gear_wheel_is_seen(used_tab: Page, server: str):
     assert "tangential force drawn × 10³" in words_in(used_tab, "force-trace")
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize("kappa", every_day(["20000"], of=["20000", "2500000"]))
 def test_many_switches_are_told_where_they_cannot_be_drawn(used_tab: Page, server: str, kappa: str):
     visit(used_tab, f"/?kappa={kappa}&gt_over_gn=1&scale=log")

@@ -129,6 +129,7 @@ def test_a_goal_is_reached_where_one_lets_go_not_in_passing(page: Page, server: 
     says(page, "lesson-feedback", f"{texts.say('notYet')} {texts.step('reversal', 'verdicts.few')}")
 
 
+@pytest.mark.verify
 def test_every_step_has_an_address_and_the_browser_turns_the_pages(page: Page, server: str):
     texts = Texts("en")
     witness = Witness(page, server)
@@ -182,6 +183,7 @@ def test_the_lesson_is_entered_and_left_by_the_scenes(used_tab: Page, server: st
     assert collision_of(used_tab)["kappa"] == 500
 
 
+@pytest.mark.verify
 def test_a_reader_of_german_is_taught_in_german(browser: Browser, server: str):
     """Which language is chosen of several: tests/frontend/state/language.test.js."""
     with browser.new_context(base_url=server, locale="de-AT") as context:
@@ -228,6 +230,7 @@ def test_another_language_waits_for_the_server_and_loses_no_picture(page: Page, 
     settle(page, server)
 
 
+@pytest.mark.verify
 def test_teachers_have_their_notes(used_tab: Page, server: str):
     visit(used_tab, "/?scene=lesson&lang=de")
     texts = Texts("de")
@@ -246,6 +249,7 @@ def test_teachers_have_their_notes(used_tab: Page, server: str):
     settle(used_tab, server)
 
 
+@pytest.mark.verify
 def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     asked: list[str] = []
     page.on("request", lambda request: asked.append(request.url))

@@ -166,6 +166,7 @@ def test_the_hint_of_a_first_visit_is_sent_away_for_good(browser: Browser, serve
         expect(hint).to_be_hidden()
 
 
+@pytest.mark.verify
 def test_a_frame_that_may_keep_nothing_shows_and_switches_all_the_same(
     browser: Browser, server: str
 ):

@@ -108,6 +108,7 @@ def test_a_careful_student_reaches_every_goal_leaves_it_and_reaches_it_again(
     witness.assert_silence()
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize("language", every_day(["fr"], of=LANGUAGES))
 def test_a_careless_student_gets_through_and_is_told_of_no_guess(
     page: Page, server: str, language: str
@@ -134,6 +135,7 @@ def test_a_careless_student_gets_through_and_is_told_of_no_guess(
     witness.assert_silence()
 
 
+@pytest.mark.verify
 def test_what_was_reached_once_stays_marked_and_is_not_said_of_another_collision(
     page: Page, server: str
 ):
@@ -215,6 +217,7 @@ def test_the_pictures_are_covered_before_the_lesson_is_here(page: Page, server: 
     settle(page, server)
 
 
+@pytest.mark.verify
 def test_the_glass_goes_with_the_lesson_and_comes_with_it(used_tab: Page, server: str):
     visit(used_tab, "/?scene=lesson&step=6&kappa=4.5&gt_over_gn=0.2")
     expect(used_tab.get_by_test_id("predict")).to_be_visible()
@@ -228,6 +231,7 @@ def test_the_glass_goes_with_the_lesson_and_comes_with_it(used_tab: Page, server
     assert used_tab.locator("[inert]").count() == 0
 
 
+@pytest.mark.verify
 def test_the_last_step_lays_its_steps_over_the_exact_force(used_tab: Page, server: str):
     visit(used_tab, "/?scene=lesson&step=10&kappa=63&gt_over_gn=0.2")
     expect(used_tab.get_by_test_id("overlay")).to_be_visible()

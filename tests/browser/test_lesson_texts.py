@@ -77,6 +77,7 @@ def assert_nothing_overflows(page: Page) -> None:
     assert beyond == []
 
 
+@pytest.mark.verify
 @pytest.mark.own_page
 @pytest.mark.parametrize("width", every_day([320], of=[320, 1440]))
 @pytest.mark.parametrize("kind", every_day(["all at once"], of=BAD_TRANSLATIONS))

@@ -67,6 +67,7 @@ def test_a_lost_server_covers_nothing_and_is_said_again_when_something_is_wanted
     expect(message(tab, "banner")).to_be_hidden()
 
 
+@pytest.mark.verify
 def test_far_down_a_message_is_in_sight(page: Page, server: str):
     page.set_viewport_size({"width": 390, "height": 844})
     page.goto("/?kappa=spring")
@@ -76,6 +77,7 @@ def test_far_down_a_message_is_in_sight(page: Page, server: str):
     expect(message(page, "notice")).to_be_in_viewport()
 
 
+@pytest.mark.verify
 def test_a_message_is_gone_with_the_next_step(used_tab: Page, server: str):
     used_tab.goto("/?kappa=spring")
     settle(used_tab, server)

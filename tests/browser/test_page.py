@@ -60,6 +60,7 @@ def test_arrow_keys_move_a_slider(explorer, server, name):
     assert collision_of(explorer)[PARAMETERS[name]] < before
 
 
+@pytest.mark.verify
 def test_a_click_on_the_map_moves_the_sliders_there(explorer, server):
     box = explorer.get_by_test_id("map").bounding_box()
     explorer.mouse.click(box["x"] + 0.45 * box["width"], box["y"] + 0.7 * box["height"])
@@ -142,6 +143,7 @@ def test_the_address_holds_the_state_and_back_returns_to_it(explorer, server):
     assert collision_of(explorer) == first
 
 
+@pytest.mark.verify
 def test_what_back_returned_to_is_kept_by_a_change_at_once(explorer, server):
     presets = explorer.get_by_test_id("presets")
     first = collision_of(explorer)
@@ -183,6 +185,7 @@ def test_a_lost_server_keeps_the_picture_and_the_page_recovers(tab: Page, server
     settle(tab, server)
 
 
+@pytest.mark.verify
 def test_damping_moves_everything(used_tab: Page, server: str):
     visit(used_tab, "/?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.3")
     settle(used_tab, server)

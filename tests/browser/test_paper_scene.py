@@ -66,6 +66,7 @@ def test_printed_and_computed_are_set_as_symbols(used_tab: Page, server: str):
     assert shown.locator("[lang=en]").count() == 4, "printed, computed, evidence, correction"
 
 
+@pytest.mark.verify
 def test_the_list_is_loaded_only_when_the_scene_is_shown(page: Page, server: str):
     witness = Witness(page, server)
     page.goto("/")
@@ -153,6 +154,7 @@ def test_curves_of_several_frictions_are_one_over_psi(used_tab: Page, server: st
     expect(used_tab.get_by_test_id("collapse-said")).to_contain_text("they are one")
 
 
+@pytest.mark.verify
 def test_stiff_springs_stay_under_their_law_and_reach_it(used_tab: Page):
     open_scene(used_tab)
 
@@ -183,6 +185,7 @@ def test_most_switches_follow_their_law(used_tab: Page):
     eventually(law_holds, used_tab)
 
 
+@pytest.mark.verify
 def test_figures_of_the_paper_are_shown_with_their_captions(tab: Page, server: str):
     presets = {p["id"]: p for p in ask(server, "presets")["items"]}
     figure = presets["figure-4"]
@@ -205,6 +208,7 @@ def test_figures_of_the_paper_are_shown_with_their_captions(tab: Page, server: s
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("Coulomb's law")
 
 
+@pytest.mark.verify
 def test_the_scene_is_printed_with_its_evidence(used_tab: Page):
     open_scene(used_tab)
     used_tab.emulate_media(media="print")
@@ -229,6 +233,7 @@ def test_axe_finds_nothing_to_object_to_in_the_list(used_tab: Page, width: int, 
     assert objections(used_tab) == []
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize(
     "panel", every_day(["collapse"], of=["collapse", "stiff_law", "switch_law"])
 )
@@ -242,6 +247,7 @@ def test_a_result_beyond_the_paper_fills_its_frame(used_tab: Page, panel: str):
     expect(used_tab.get_by_test_id("embed-caption")).to_be_empty()
 
 
+@pytest.mark.verify
 def test_the_list_stands_in_a_frame_with_its_head(used_tab: Page):
     visit(used_tab, "/?embed=paper&paper_verdict=fails")
     expect(used_tab.get_by_test_id("paper-count")).to_be_visible()
@@ -250,6 +256,7 @@ def test_the_list_stands_in_a_frame_with_its_head(used_tab: Page):
     expect(used_tab.get_by_test_id("collapse")).to_be_hidden()
 
 
+@pytest.mark.verify
 def test_the_keyboard_goes_on_in_the_scene_that_was_opened(tab: Page, server: str):
     focused = "() => document.activeElement.id"
     tab.locator('[data-preset="figure-1"]').focus()

@@ -17,19 +17,13 @@ from rest import (
     layout_shift,
     rest,
 )
+from whole_page import PLACES
 
 from cases import every_day
 
 pytestmark = pytest.mark.browser
 
 WIRE_BYTES = 1_700_000
-
-# Where on the page every picture and control is.
-PLACES = """() => Object.fromEntries(
-  [...document.querySelectorAll("[data-panel], .parameter")].map((part) => {
-    const {x, y, width, height} = part.getBoundingClientRect();
-    return [part.dataset.panel ?? part.dataset.parameter, [x, y + scrollY, width, height]];
-  }))"""
 
 # What the page may do without: it is asked for after the phenomenon, or answered late.
 WHAT_CAN_WAIT = ("map", "cut", "presets", "steps", "tradeoff", "materials", "paper")

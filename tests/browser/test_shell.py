@@ -57,6 +57,7 @@ def test_embedded_panel_stands_alone_and_leads_to_the_full_page(used_tab: Page, 
     assert_stands_alone(used_tab, panel)
 
 
+@pytest.mark.verify
 def test_embedded_panel_loads_alone(page: Page):
     page.set_viewport_size({"width": 480, "height": 360})
     page.goto("/?embed=map&kappa=20")
@@ -121,6 +122,7 @@ def test_table_and_request_are_there_by_keyboard(tab: Page, panel: str):
         assert tab.evaluate("() => document.activeElement.dataset.testid") == f"menu-{panel}"
 
 
+@pytest.mark.verify
 def test_request_of_the_result_answers_what_the_strip_shows(used_tab: Page, server: str):
     visit(used_tab, "/?kappa=20")
     settle(used_tab, server)
@@ -130,6 +132,7 @@ def test_request_of_the_result_answers_what_the_strip_shows(used_tab: Page, serv
     assert line == f'curl "{server}/api/v1/collision?{query}"'
 
 
+@pytest.mark.verify
 def test_arrow_keys_move_the_crosshair_one_parameter_at_a_time(tab: Page, server: str):
     tab.get_by_test_id("crosshair").focus()
     rest(tab)
@@ -162,6 +165,7 @@ def test_nothing_moves_after_the_first_paint_and_nothing_is_too_wide(
     assert page.evaluate("() => document.documentElement.scrollWidth") <= width
 
 
+@pytest.mark.verify
 def test_a_picture_that_cannot_be_saved_now_is_said_and_can_be_later(page: Page, server: str):
     page.route("**/save-drawing.js", lambda route: route.abort())
     page.goto("/?kappa=20")

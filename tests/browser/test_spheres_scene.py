@@ -123,6 +123,7 @@ def test_warnings_say_where_the_model_is_left(page: Page):
     expect(page.get_by_test_id("impact-warnings")).to_contain_text("Mindlin")
 
 
+@pytest.mark.verify
 def test_mindlins_stiffness_can_be_set_by_hand_and_had_back(page: Page, server: str):
     page.goto("/?scene=spheres&material=alumina-on-glass")
     material = materials(server)["alumina-on-glass"]
@@ -143,6 +144,7 @@ def test_mindlins_stiffness_can_be_set_by_hand_and_had_back(page: Page, server: 
     assert "tangential_stiffness" not in page.url
 
 
+@pytest.mark.verify
 def test_hollow_spheres_give_the_paper_axis_their_alpha(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel&map_x=alpha_kappa")
     expect(page.get_by_test_id("impact-result")).to_contain_text("2/7")
@@ -172,6 +174,7 @@ def test_hollow_spheres_give_the_paper_axis_their_alpha(page: Page, server: str)
     eventually(lambda: alpha_on_axis("ακ with α = 2/7, solid spheres"), page)
 
 
+@pytest.mark.verify
 def test_back_from_the_explorer_the_impact_stands_in_the_strip_again(page: Page, server: str):
     page.goto("/?scene=spheres&material=glass-on-glass")
     answer = post(server, "scaling", body_of(materials(server)["glass-on-glass"]))
@@ -202,6 +205,7 @@ def test_an_impact_that_is_refused_is_not_shown_as_another(page: Page, server: s
 MORE = ("normal-restitution", "density-kg-m3", "poisson-ratio", "radius-2-m", "poisson-ratio-2")
 
 
+@pytest.mark.verify
 def test_the_rest_of_the_bodies_is_folded_away_until_it_is_wanted(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel-mindlin")
     material = materials(server)["steel-mindlin"]

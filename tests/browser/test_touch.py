@@ -124,6 +124,7 @@ def test_a_finger_on_the_crosshair_steers_at_once(page: Page, server: str):
     assert page.evaluate("() => scrollY") == top
 
 
+@pytest.mark.verify
 def test_a_finger_that_taps_brings_the_crosshair(page: Page, server: str):
     open_on_phone(page, server, "")
     picture = in_the_middle(page, "crosshair")
@@ -211,6 +212,7 @@ def test_what_a_finger_is_to_hit_is_large_enough(page: Page, server: str, scene:
     assert page.evaluate(SIZES_OF_TARGETS, MAIN) == []
 
 
+@pytest.mark.verify
 def test_what_opens_has_targets_large_enough(page: Page, server: str):
     open_on_phone(page, server, "")
     page.get_by_test_id("menu-map").click()
@@ -229,6 +231,7 @@ UNREACHED = """() => [...document.querySelectorAll(".lesson-option")].filter((op
 
 
 # A phone whose browser keeps its bars.
+@pytest.mark.verify
 @pytest.mark.parametrize("step", every_day([4], of=[1, 4, 7]))
 def test_no_slider_lies_over_an_answer(page: Page, server: str, step: int):
     open_on_phone(page, server, f"scene=lesson&step={step}", height=664)

@@ -53,6 +53,7 @@ def test_a_unit_of_the_field_s_dimension_is_converted(
     assert float(field.input_value()) == float(value)
 
 
+@pytest.mark.verify
 def test_a_unit_of_another_dimension_is_refused_in_words(used_tab: Page, server: str):
     visit(used_tab, "/?scene=spheres&material=glass-on-glass")
     settle(used_tab, server)
@@ -103,6 +104,7 @@ def test_the_second_body_is_named_where_it_refuses(used_tab: Page):
     )
 
 
+@pytest.mark.verify
 def test_what_is_shown_is_taken(used_tab: Page, server: str):
     visit(used_tab, "/?scene=spheres&material=glass-on-glass")
     settle(used_tab, server)
@@ -203,6 +205,7 @@ def test_in_german_the_fields_show_and_take_decimal_commas(used_tab: Page, serve
     expect(field).to_have_value("1.358")
 
 
+@pytest.mark.verify
 def test_an_address_with_a_decimal_comma_says_what_it_takes(page: Page):
     page.goto("/?kappa=0,5")
     expect(page.get_by_test_id("notice")).to_contain_text(

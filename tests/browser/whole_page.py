@@ -14,6 +14,13 @@ SCENES = {
     "hand-out": "scene=lesson&lang=de&handout=shown&notes=shown",
 }
 
+# Where on the page every picture and control is.
+PLACES = """() => Object.fromEntries(
+  [...document.querySelectorAll("[data-panel], .parameter")].map((part) => {
+    const {x, y, width, height} = part.getBoundingClientRect();
+    return [part.dataset.panel ?? part.dataset.parameter, [x, y + scrollY, width, height]];
+  }))"""
+
 # Whatever is to be drawn is drawn, with the fonts that are to be there.
 IS_COMPLETE = """() => {
   const shown = (e) => e.checkVisibility({visibilityProperty: true}) && e.clientWidth > 0;
