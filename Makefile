@@ -38,7 +38,7 @@ test: $(DEVELOPMENT) $(MODULES) ## every test that fits into minutes, the browse
 	@# keep the others from being told.
 	@status=0; \
 	$(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "not browser and not verify" || status=1; \
-	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" || status=1; \
+	$(WITH_CHROMIUM) $(WITH_NGINX) $(BIN)/python -m pytest $(SHARED_OUT) -m "browser and not verify" tests/browser || status=1; \
 	$(NPM) run --silent test || status=1; \
 	exit $$status
 

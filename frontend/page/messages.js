@@ -1,6 +1,7 @@
 // @ts-check
 
 import { say as words } from "../format/words.js";
+import { markLanguage } from "../widgets/elements.js";
 
 /**
  * A line that says something for as long as it is true, or until it is closed, and is not there otherwise.
@@ -20,7 +21,7 @@ export function mountMessage(line) {
   /** @param {string} text */
   function show(text) {
     frame.hidden = text === "";
-    line.lang = language;
+    markLanguage(line, language);
     if (line.textContent !== text) {
       line.textContent = text;
     }

@@ -4,6 +4,7 @@ import { say } from "../format/words.js";
 import { sameCollision } from "../state/parameters.js";
 import { letterOf, textsOf } from "../state/presets.js";
 import { isAt } from "../state/url.js";
+import { markLanguage } from "../widgets/elements.js";
 import { byTestId } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
@@ -75,7 +76,7 @@ export function mountPresets(element, onChoose) {
     button.type = "button";
     button.className = letter ? "chip letter" : "chip";
     button.dataset.preset = preset.id;
-    button.lang = language;
+    markLanguage(button, language);
     button.textContent = letter ?? title.split(" · ")[0];
     if (letter) {
       button.setAttribute("aria-label", title);
@@ -117,7 +118,7 @@ export function mountPresets(element, onChoose) {
  * @param {Choice} choice whose words it has
  */
 function tell(element, text, { texts }) {
-  element.lang = texts.language;
+  markLanguage(element, texts.language);
   typeset(element, text);
 }
 

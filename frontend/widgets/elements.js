@@ -41,6 +41,19 @@ export function told(name, className, text) {
  */
 export function toldIn(language, name, text) {
   const element = told(name, "", text);
-  element.lang = language;
+  markLanguage(element, language);
   return element;
+}
+
+/**
+ * Says in which language an element is, where that is not the page's own.
+ * @param {HTMLElement} element
+ * @param {string} language empty for that of the page
+ */
+export function markLanguage(element, language) {
+  if (language) {
+    element.lang = language;
+  } else {
+    element.removeAttribute("lang");
+  }
 }

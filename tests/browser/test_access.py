@@ -140,6 +140,7 @@ def looks_focused(page: Page) -> bool:
     return focused != other
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_the_tab_key_comes_to_every_control_in_order_and_shows_where_it_is(
     page: Page, server: str, scheme: str

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.browser
 STEPS = "/?scene=accuracy&method=timestep&steps=100&kappa=20"
 
 
+@pytest.mark.verify
 def test_points_of_the_tradeoff_are_those_measured(used_tab: Page, server: str):
     visit(used_tab, "/?scene=accuracy&region=solids&statistic=median")
     stored = ask(server, "tradeoff", scene="solids")["rows"]

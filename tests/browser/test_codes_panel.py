@@ -41,6 +41,7 @@ def unfold(page: Page) -> None:
         details.locator("summary").click()
 
 
+@pytest.mark.verify
 @pytest.mark.own_page
 def test_nothing_is_asked_for_codes_until_it_is_wanted(page: Page, server: str):
     asked: list[str] = []

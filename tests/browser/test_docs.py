@@ -12,6 +12,7 @@ pytestmark = pytest.mark.browser
 CALLS = ("/api/v1/collision", "/api/v1/trace", "/api/v1/scaling/map", "/api/v1/table", "/readyz")
 
 
+@pytest.mark.verify
 def test_swagger_shows_every_call_and_tries_one(page: Page, server: str):
     witness = Witness(page, server)
     page.goto("/docs")

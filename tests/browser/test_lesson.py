@@ -33,7 +33,7 @@ SOME = ("spin", "stop", "switching", "gear", "damping", "timestep")
 @pytest.mark.parametrize(
     ("language", "hands", "answered"),
     [
-        ("de", ("mouse", "keyboard"), SOME),
+        left_to_verify(("de", ("mouse", "keyboard"), SOME)),
         *(
             left_to_verify((language, hands, tuple(STEPS)))
             for language, hands in zip(

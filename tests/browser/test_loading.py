@@ -63,6 +63,7 @@ def drag(page: Page, name: str, to: tuple[float, float]) -> None:
     page.mouse.up()
 
 
+@pytest.mark.verify
 @pytest.mark.own_page
 @pytest.mark.parametrize("milliseconds", [pytest.param(100, marks=pytest.mark.verify), 500])
 def test_dragging_on_a_slow_network_asks_little_and_ends_at_the_right_place(

@@ -3,7 +3,7 @@
 import { textsOfMaterial } from "../../format/materials.js";
 import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
 import { say } from "../../format/words.js";
-import { toldIn } from "../../widgets/elements.js";
+import { markLanguage, toldIn } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { mountParameterControl } from "../../widgets/parameter-control.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -148,7 +148,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
 function option(material) {
   const { name, language } = textsOfMaterial(material);
   const made = new Option(name, material.id);
-  made.lang = language;
+  markLanguage(made, language);
   return made;
 }
 

@@ -3,6 +3,7 @@
 import { ABSENT, alphaInWords, inUnits, significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { collisionOfImpact } from "../../state/parameters.js";
+import { markLanguage } from "../../widgets/elements.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 import { write } from "../../widgets/write.js";
@@ -45,7 +46,7 @@ export function createImpactResult(element) {
         const item = /** @type {HTMLElement} */ (
           warnings.children[i] ?? warnings.appendChild(document.createElement("li"))
         );
-        item.lang = language;
+        markLanguage(item, language);
         typeset(item, text);
       }
     },
@@ -59,7 +60,7 @@ export function createImpactResult(element) {
       list.hidden = true;
       warnings.replaceChildren();
       const why = document.createElement("span");
-      why.lang = language;
+      markLanguage(why, language);
       typeset(why, reason);
       refusal.replaceChildren(say("spheres.result.refused"), " ", why);
     },
