@@ -131,6 +131,7 @@ def test_nothing_of_a_local_cluster_is_open_to_other_machines(cluster):
     assert set(listening) == {"127.0.0.1"}
 
 
+@pytest.mark.verify
 def test_killed_worker_leaves_no_trace(tmp_path, cluster, undisturbed):
     path = tmp_path / "table.zarr"
     open_store(path, LONG, "paper", LONG_CHUNK)

@@ -165,6 +165,7 @@ def read_by(reader, body: bytes) -> str:
         return f"refused: {error}"
 
 
+@pytest.mark.verify
 def test_long_lists_are_read_in_pieces_as_they_are_in_one(monkeypatch):
     monkeypatch.setattr(parsing, "PIECE", 8)
     draw, read = random.Random(7), 0

@@ -14,7 +14,6 @@ from typing import NamedTuple
 
 import pytest
 
-from cases import every_day
 from servers import free_port, kill_with_children, wait_until_ready
 
 CONFINE = r"""
@@ -85,7 +84,6 @@ MACHINES = [
         (0, 54321), ("writable", "read-only", "none"), ("usable", "none"), ("set", "none")
     )
 ]
-NOTHING_AT_ALL = Machine(54321, "none", "none", "none")
 
 
 def may_unshare() -> bool:
@@ -100,10 +98,8 @@ pytestmark = pytest.mark.skipif(
 )
 
 
-@pytest.mark.parametrize(
-    Machine._fields,
-    every_day([NOTHING_AT_ALL], MACHINES),
-)
+@pytest.mark.verify
+@pytest.mark.parametrize(Machine._fields, MACHINES)
 def test_whoever_it_is_computes_and_serves(user, home, temporary, cache, tmp_path):
     machine = Machine(user, home, temporary, cache)
     # as the home of pytest's folders is its user's alone
