@@ -187,8 +187,9 @@ def visit(page: Page, address: str) -> None:
     """
     path, _, query = address.partition("?")
     whole = USUAL | dict(urllib.parse.parse_qsl(query))
-    spoken = page.locator("html").get_attribute("lang")
-    if "scene=spheres" in address or whole.get("lang", "en") != spoken:
+    present = urllib.parse.parse_qs(urllib.parse.urlsplit(page.url).query)
+    speaks_anew = present.get("lang", [None])[0] != whole.get("lang")
+    if "scene=spheres" in address or speaks_anew:
         page.goto(address)
         return
     page.evaluate(
