@@ -111,9 +111,18 @@ function stylesOf(id) {
       new Promise((resolve, reject) => {
         if (link.sheet) {
           resolve(null);
+          return;
         }
         link.addEventListener("load", resolve, { once: true });
-        link.addEventListener("error", reject, { once: true });
+        link.addEventListener(
+          "error",
+          (event) => {
+            // So that it is asked for again when the scene is.
+            link.disabled = true;
+            reject(event);
+          },
+          { once: true },
+        );
         link.disabled = false;
       }),
   );

@@ -263,12 +263,17 @@ def test_the_lesson_costs_nothing_until_it_is_opened(page: Page, server: str):
     assert not any("/locales/" in url for url in asked)
 
 
-def test_the_lesson_comes_once_the_server_is_back(page: Page, server: str):
+@pytest.mark.parametrize("part", ["lesson.js", "desk.css"])
+def test_the_lesson_comes_once_the_server_is_back(page: Page, server: str, part: str):
     page.goto("/")
     settle(page, server)
-    page.route("**/lesson/lesson.js", lambda route: route.abort())
+    page.route(f"**/lesson/{part}", lambda route: route.abort())
     page.get_by_test_id("scenes").get_by_text("Lesson").click()
     expect(page.get_by_test_id("banner")).not_to_be_empty()
     page.unroute_all()
     eventually(lambda: says(page, "lesson-title", Texts("en").step("spin", "title")), page)
     expect(page.get_by_test_id("banner")).to_be_empty()
+    rules = page.evaluate("""() => [...document.querySelectorAll("link[data-comes-with=lesson]")]
+        .map((link) => link.sheet?.cssRules.length ?? 0)""")
+    assert len(rules) == 5
+    assert min(rules) > 0
