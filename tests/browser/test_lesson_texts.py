@@ -1,7 +1,6 @@
 """The lesson's texts: ill translated, for everybody to read, printed."""
 
 import itertools
-import json
 import re
 from collections.abc import Callable
 
@@ -9,14 +8,14 @@ import pytest
 from explorer import Witness, settle, visit
 from lesson import (
     LANGUAGES,
-    LOCALES,
     PREDICTIONS,
     STEPS,
     Texts,
     by_keyboard,
     next_by_mouse,
 )
-from playwright.sync_api import Page, Route, expect
+from page_words import change_words, changed
+from playwright.sync_api import Page, expect
 from rest import rest
 from test_access import objections
 
@@ -31,13 +30,6 @@ INJECTION = (
 )
 
 
-def changed(texts: dict, change: Callable[[str], str]) -> dict:
-    return {
-        key: changed(value, change) if isinstance(value, dict) else change(value)
-        for key, value in texts.items()
-    }
-
-
 HEBREW = "כמה חזק הכדור מסתובב אחרי הפגיעה בקיר, ומדוע? "
 
 BAD_TRANSLATIONS: dict[str, Callable[[str], str]] = {
@@ -47,21 +39,6 @@ BAD_TRANSLATIONS: dict[str, Callable[[str], str]] = {
     "injection": lambda text: INJECTION + text,
     "all at once": lambda text: HEBREW + INJECTION + (text + " ") * 8 + "W" * 300,
 }
-
-
-def translate(page: Page, texts: dict) -> None:
-    """Let the page say other texts than its server gives it."""
-
-    def answer(route: Route) -> None:
-        response = route.fetch()
-        words = re.compile(r'(<script type="application/json" id="words">)(.*?)(</script>)')
-        [(_, given, _)] = words.findall(response.text())
-        changed_words = json.dumps(json.loads(given) | {"texts": texts}).replace("<", "\\u003c")
-        body = words.sub(lambda match: match[1] + changed_words + match[3], response.text())
-        route.fulfill(response=response, body=body)
-
-    page.route(re.compile(r"/\?"), answer)
-    page.route("**/words/*", lambda route: route.fulfill(json=texts))
 
 
 def assert_nothing_overflows(page: Page) -> None:
@@ -85,8 +62,14 @@ def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, wi
     witness = Witness(page, server)
     dialogs: list[str] = []
     page.on("dialog", lambda dialog: (dialogs.append(dialog.message), dialog.dismiss()))
-    good = json.loads((LOCALES / "en.json").read_text(encoding="utf-8"))
-    translate(page, good | {"lesson": changed(good["lesson"], BAD_TRANSLATIONS[kind])})
+    ill = BAD_TRANSLATIONS[kind]
+    change_words(
+        page,
+        lambda texts: {
+            section: changed(own, ill) if section == "lesson" else own
+            for section, own in texts.items()
+        },
+    )
     page.set_viewport_size({"width": width, "height": 900})
     page.goto("/?scene=lesson&lang=de&notes=shown")
     expect(page.get_by_test_id("lesson-asked")).not_to_be_empty()
@@ -117,8 +100,7 @@ def test_a_bad_translation_breaks_nothing(page: Page, server: str, kind: str, wi
 )
 def test_no_text_of_the_page_becomes_markup(page: Page, server: str, scene: str):
     witness = Witness(page, server)
-    good = json.loads((LOCALES / "en.json").read_text(encoding="utf-8"))
-    translate(page, changed(good, BAD_TRANSLATIONS["injection"]))
+    change_words(page, lambda texts: changed(texts, BAD_TRANSLATIONS["injection"]))
     page.goto(f"/?scene={scene}")
     expect(page).to_have_title(re.compile("<script>"))
     rest(page)

@@ -1,11 +1,10 @@
 """Every word on the page is from the locales, and each is there when its scene is."""
 
-import json
 import re
-from typing import Any
 
 import pytest
-from playwright.sync_api import Page, Route
+from page_words import change_words, changed
+from playwright.sync_api import Page
 from rest import rest
 
 from cases import every_day
@@ -46,41 +45,18 @@ SAID = """() => {
 WORD = re.compile(r"[A-Za-z]{3,}")
 
 
-def marked(texts: Any) -> Any:
-    """Return texts whose letters carry a mark; what is put into them by name does not."""
-    if isinstance(texts, dict):
-        return {key: marked(text) for key, text in texts.items()}
-    parts = re.split(r"({{\w+}})", texts)
+def marked(text: str) -> str:
+    """Return a text whose letters carry a mark; what is put into it by name does not."""
+    parts = re.split(r"({{\w+}})", text)
     return "".join(
         part if part.startswith("{{") else re.sub(r"[A-Za-z]", "\\g<0>\u0325", part)
         for part in parts
     )
 
 
-def mark_words(page: Page) -> None:
-    """Let the server's words come marked, those of the page and those that come later."""
-
-    def mark_page(route: Route) -> None:
-        response = route.fetch()
-        before, given, after = re.split(
-            r'(?<=id="words">)(.*?)(?=</script>)', response.text(), maxsplit=1
-        )
-        words = json.loads(given)
-        words["texts"] = marked(words["texts"])
-        changed = json.dumps(words).replace("<", "\\u003c")
-        route.fulfill(response=response, body=before + changed + after)
-
-    def mark_later(route: Route) -> None:
-        response = route.fetch()
-        route.fulfill(response=response, json=marked(response.json()))
-
-    page.route(re.compile(r"/\?"), mark_page)
-    page.route("**/words/*", mark_later)
-
-
 @pytest.mark.parametrize("scene", every_day(["speed and accuracy"], of=SCENES))
 def test_every_word_is_from_the_locales(page: Page, scene: str):
-    mark_words(page)
+    change_words(page, lambda texts: changed(texts, marked))
     page.goto(f"/?{SCENES[scene]}")
     rest(page)
     said = page.evaluate(SAID)
