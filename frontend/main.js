@@ -108,7 +108,7 @@ const load = { file: client.file, font: client.font, reportLost: connection.repo
 /** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
 const panels = [];
 const scenes = [explorer, ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus))];
-[collision, scenes[0]].forEach(mountMenus);
+[collision, explorer].forEach(mountMenus);
 mountSaveAll(panels, store.get, {
   ...load,
   words: () => takeLaterTexts(client.words),

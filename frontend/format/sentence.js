@@ -10,6 +10,16 @@ const COARSE = 0.005;
 const NEXT_TO_NOTHING = 0.001;
 
 /**
+ * The parameters of a collision; without damping nothing is said of it.
+ * @param {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} collision
+ * @param {(value: number) => string} written
+ */
+export function collisionInALine({ kappa, mu_over_alpha: mu, gt_over_gn: gt, damping }, written) {
+  const damped = damping > 0 ? `, η = ${written(damping)}` : "";
+  return `κ = ${written(kappa)}, μ/α = ${written(mu)}, g_t/g_n = ${written(gt)}${damped}`;
+}
+
+/**
  * A collision as a screen reader says it: how it went and what is left.
  * @param {object} collision an answer about it, exact
  * @param {number} collision.epsilon_t

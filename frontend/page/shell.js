@@ -1,6 +1,7 @@
 // @ts-check
 
 import { significant, typable } from "../format/number.js";
+import { collisionInALine } from "../format/sentence.js";
 import { knownLanguages, say, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
@@ -67,7 +68,7 @@ export function mountShell({ present, onOption }) {
       byTestId("said").textContent = "";
     }, SAID);
   });
-  find("[data-testid='present']").addEventListener("click", begin);
+  byTestId("present").addEventListener("click", begin);
   addEventListener("keydown", ({ key, target, ctrlKey, metaKey, altKey }) => {
     const isTyped = /** @type {Element} */ (target).matches?.("input, select, textarea");
     if (key !== "p" || ctrlKey || metaKey || altKey || isTyped) {
@@ -138,12 +139,8 @@ export function mountShell({ present, onOption }) {
     caption({ parameters, epsilon_t: epsilon }) {
       // The results beyond the paper are not of this collision.
       if (root.dataset.embed && root.dataset.shown !== "paper") {
-        const { kappa, mu_over_alpha: mu, gt_over_gn: gt, damping } = parameters;
-        const damped = damping > 0 ? `, η = ${short(damping)}` : "";
-        typeset(
-          caption,
-          `κ = ${short(kappa)}, μ/α = ${short(mu)}, g_t/g_n = ${short(gt)}${damped}: ε_t = ${significant(epsilon)}`,
-        );
+        const line = collisionInALine(parameters, short);
+        typeset(caption, `${line}: ε_t = ${significant(epsilon)}`);
       }
     },
   };

@@ -36,7 +36,7 @@ export function mountPresenting({ present, set }) {
     [-1, "‹", "previous"],
     [1, "›", "next"],
   ]).map(([by, mark, name]) => {
-    const turn = told("button", "quiet turn", mark);
+    const turn = told("button", "quiet", mark);
     turn.dataset.testid = `presenting-${name}`;
     turn.setAttribute("aria-label", say(`presenting.${name}`));
     turn.title = say(`presenting.${name}`);
@@ -67,11 +67,11 @@ export function mountPresenting({ present, set }) {
 
   /** @param {KeyboardEvent} event */
   function onKey(event) {
-    const isHeld = /** @type {Element} */ (event.target).matches?.("input, select, textarea");
-    const by = STEPS.get(event.key);
     if (!isOn || event.ctrlKey || event.metaKey || event.altKey) {
       return;
     }
+    const isHeld = /** @type {Element} */ (event.target).matches?.("input, select, textarea");
+    const by = STEPS.get(event.key);
     if (event.key === "Escape") {
       leave();
     } else if (by && (event.key.startsWith("Page") || !isHeld)) {
@@ -101,7 +101,7 @@ export function mountPresenting({ present, set }) {
     clearTimeout(timer);
     root.removeAttribute("data-idle");
     if (isOn) {
-      timer = setTimeout(() => root.toggleAttribute("data-idle", isOn), STAY);
+      timer = setTimeout(() => root.toggleAttribute("data-idle", true), STAY);
     }
   }
 

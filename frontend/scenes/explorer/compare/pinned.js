@@ -1,5 +1,6 @@
 // @ts-check
 
+import { collisionInALine } from "../../../format/sentence.js";
 import { typable } from "../../../format/number.js";
 import { PIN_LETTERS } from "../../../state/pins.js";
 
@@ -17,8 +18,5 @@ export const DASHES = ["13px,4px", "9px,3px,2px,3px", "9px,3px,2px,3px,2px,3px"]
 /** @param {Pick<Pinned, "index">} pinned */
 export const letterAt = ({ index }) => PIN_LETTERS[index];
 
-/** A collision in a line. @param {import("../../../state/parameters.js").Collision} collision */
-export function inALine({ kappa, mu_over_alpha, gt_over_gn, damping }) {
-  const damped = damping > 0 ? `, η = ${typable(damping)}` : "";
-  return `κ = ${typable(kappa)}, μ/α = ${typable(mu_over_alpha)}, g_t/g_n = ${typable(gt_over_gn)}${damped}`;
-}
+/** With all digits. @param {import("../../../state/parameters.js").Collision} collision */
+export const inALine = (collision) => collisionInALine(collision, typable);
