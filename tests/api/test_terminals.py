@@ -9,10 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from cases import every_day
 from restitution.cli import main
 from restitution.commands.terminal import in_words
 
 PAGES = ["cp1252", "cp850", "cp437", "ascii"]
+each_page = pytest.mark.parametrize("page", every_day(["cp1252"], of=PAGES))
 BALL = ["--radius", ".02", "--density", "7850", "--youngs-modulus", "2e11", "--poisson-ratio", ".3"]
 COLLIDE = ["collide", *BALL, "--friction", "0.4", "--tangential-velocity", "0.5"]
 TABLE = ["table", "--kappa", "3", "6", "--kappa-count", "3", "--psi", "0.1", "2", "--psi-count"]
@@ -50,9 +52,13 @@ for words in json.loads(sys.argv[1]):
 
 @functools.cache
 def outputs(encoding: str) -> list[tuple[str, ...]]:
+    return run(encoding, JSON + TEXTS)
+
+
+def run(encoding: str, commands: list[list[str]]) -> list[tuple[str, ...]]:
     """Return standard output, status, standard error of each command, of one process for all."""
     done = subprocess.run(
-        [sys.executable, "-c", RUN, json.dumps(JSON + TEXTS)],
+        [sys.executable, "-c", RUN, json.dumps(commands)],
         env=os.environ | {"PYTHONIOENCODING": encoding},
         check=True,
         capture_output=True,
@@ -61,7 +67,7 @@ def outputs(encoding: str) -> list[tuple[str, ...]]:
     return list(zip(found[0][::2], found[0][1::2], found[1][::2], strict=True))
 
 
-@pytest.mark.parametrize("page", PAGES)
+@each_page
 def test_output_is_that_of_any_other_terminal_in_signs_or_words(page):
     for words, found, expected in zip(TEXTS, texts(page), texts("utf-8"), strict=True):
         assert "Traceback" not in found[2], (words, found[2])
@@ -74,7 +80,7 @@ def texts(encoding):
     return outputs(encoding)[len(JSON) :]
 
 
-@pytest.mark.parametrize("page", PAGES)
+@each_page
 def test_json_is_the_same_value_and_can_be_shown(page):
     for found, expected in zip(outputs(page)[:2], outputs("utf-8")[:2], strict=True):
         assert json.loads(found[0]) == json.loads(expected[0])
@@ -83,13 +89,13 @@ def test_json_is_the_same_value_and_can_be_shown(page):
 
 
 def test_signs_that_a_page_has_are_kept():
-    help_of_table = TEXTS.index(["table", "--help"])
-    assert "Write ε_t over kappa and psi" in texts("cp437")[help_of_table][0]
-    assert "Write epsilon_t over kappa and psi" in texts("ascii")[help_of_table][0]
-    assert "Write ε_t over κ and ψ" in texts("utf-8")[help_of_table][0]
-    counts = TEXTS.index([*TABLE, "3", "--format", "csv"])
-    assert "3 × 3 entries" in texts("cp850")[counts][2]
-    assert "3 x 3 entries" in texts("ascii")[counts][2]
+    describe, count = ["table", "--help"], [*TABLE, "3", "--format", "csv"]
+    assert "Write ε_t over κ and ψ" in run("utf-8", [describe])[0][0]
+    assert "Write ε_t over kappa and psi" in run("cp437", [describe])[0][0]
+    assert "3 × 3 entries" in run("cp850", [count])[0][2]
+    described, counted = run("ascii", [describe, count])
+    assert "Write epsilon_t over kappa and psi" in described[0]
+    assert "3 x 3 entries" in counted[2]
 
 
 def test_every_sign_of_the_program_has_words():

@@ -13,6 +13,8 @@ pytestmark = pytest.mark.browser
 
 SCENES = {
     "explorer": "",
+    "plain": "face=plain",
+    "plain, compared": "face=plain&kappa=30&pins=63,1.4,1.358;4.5,1.4,4",
     "switches": "map=switches&gt_over_gn=0.3&energy=shown",
     "damped": "damping=0.3",
     "compared": "kappa=30&pins=63,1.4,1.358;4.5,1.4,4;18,0.8,0.9,0.3",
@@ -20,6 +22,7 @@ SCENES = {
     "real spheres, unfolded": "scene=spheres&normal_restitution=0.9&radius_2_m=0.01",
     "speed and accuracy": "scene=accuracy&method=timestep",
     **{f"lesson, step {step}": f"scene=lesson&step={step}&lang=de" for step in range(1, 11)},
+    "lesson, expert": "scene=lesson&step=10&face=expert",
 }
 SIZES = [(390, 844), (1280, 720), (1920, 1080)]
 
@@ -82,7 +85,7 @@ def test_a_scene_is_one_page_of_a4(used_tab: Page, scene: str, width: int, heigh
     assert {round(float(number)) for number in box[1].split()[2:]} == A4
 
 
-@pytest.mark.parametrize("scene", every_day(["explorer"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["explorer", "lesson, step 6"], of=SCENES))
 def test_on_paper_nothing_is_cut_off_and_pictures_fill_their_places(used_tab: Page, scene: str):
     visit(used_tab, f"/?{SCENES[scene]}")
     rest(used_tab)

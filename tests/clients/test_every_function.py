@@ -53,6 +53,7 @@ def test_types_of_the_package_are_there_for_a_user():
     assert files("restitution").joinpath("py.typed").is_file()
 
 
+@pytest.mark.verify
 def test_checker_finds_a_wrong_use_in_a_script(tmp_path):
     """What `make check` says of the script itself would mean nothing if all were Any."""
     wrong = SCRIPT.read_text().replace("curve: npt.NDArray[np.float64]", "curve: str", 1)

@@ -1,5 +1,6 @@
 """Tables on Dask: what is interrupted, killed or resumed ends as if it had not been."""
 
+import itertools
 import os
 import pickle
 import signal
@@ -15,6 +16,7 @@ import zarr
 from click.testing import CliRunner
 from distributed import Client
 
+from cases import every_day
 from restitution.cli import main
 from restitution.errors import CostError, ParameterError, RestitutionError
 from restitution.export.on_dask import compute_table, local_cluster
@@ -39,8 +41,8 @@ LONG_CHUNK = 10_000
 LOG = ["--kappa-scale", "log", "--psi-scale", "log"]
 LONG_OPTIONS = ["--kappa", "0.5", "60", "--kappa-count", "500",
                 "--psi", "0.05", "2", "--psi-count", "500", *LOG]  # fmt: skip
-SIZES = pytest.mark.parametrize("grid", [PLANE, DAMPED_PLANE, SPACE], ids=["two", "eta", "three"])
-SIGNS = pytest.mark.parametrize("sign", ["paper", "reversed"])
+GRIDS = {"two": PLANE, "eta": DAMPED_PLANE, "three": SPACE}
+STORES = itertools.product(GRIDS, ["paper", "reversed"])
 
 
 @pytest.fixture(scope="module")
@@ -79,9 +81,11 @@ def entries(path):
     return np.asarray(zarr.open_group(path, mode="r")["epsilon_t"][...])
 
 
-@SIGNS
-@SIZES
-def test_store_is_the_table_computed_in_place(grid, sign, tmp_path, cluster):
+@pytest.mark.parametrize(
+    ("parameters", "sign"), every_day([("two", "reversed"), ("three", "paper")], of=STORES)
+)
+def test_store_is_the_table_computed_in_place(parameters, sign, tmp_path, cluster):
+    grid = GRIDS[parameters]
     path = tmp_path / "table.zarr"
     open_store(path, grid, sign, 700)
     progress = list(compute_table(path, grid, sign, scheduler=cluster.scheduler_address))
@@ -146,6 +150,7 @@ def test_killed_worker_leaves_no_trace(tmp_path, cluster, undisturbed):
     assert contents(path) == undisturbed
 
 
+@pytest.mark.verify
 def test_killed_run_goes_on_with_what_is_missing(tmp_path, cluster, undisturbed):
     path = tmp_path / "table.zarr"
     open_store(path, LONG, "paper", LONG_CHUNK)

@@ -124,6 +124,7 @@ def test_work_that_does_not_end_in_time_is_called_off_and_told_so(tmp_path):
         assert all(b"the server is being stopped" in body for _, _, body in found)
 
 
+@pytest.mark.verify
 def test_a_server_that_is_told_to_end_while_it_starts_ends(tmp_path):
     with starting(tmp_path, workers=2) as server:
         until(lambda: len(server.children()) == 2)
@@ -164,6 +165,7 @@ working.result()
 """
 
 
+@pytest.mark.verify
 def test_a_process_may_end_while_the_service_in_it_is_being_prepared():
     """Whatever it is about when pools of threads take nothing more."""
     command = [sys.executable, "-c", WORKS_UNTIL_THE_END]

@@ -88,6 +88,7 @@ def test_kernels_in_a_read_only_folder_are_used_from_another(tmp_path):
         assert not files(folder)
 
 
+@pytest.mark.verify
 def test_kernels_missing_in_a_read_only_folder_are_compiled_into_the_other(tmp_path):
     original = run(tmp_path / "a", tmp_path / "b", tmp_path / "none")
     kept = files(original)

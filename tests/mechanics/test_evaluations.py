@@ -8,6 +8,7 @@ import sys
 import numpy as np
 import pytest
 
+from cases import every_day
 from restitution.mechanics.collision import MOST_SWITCHES, expected_switch_counts
 
 COUNT = """
@@ -38,6 +39,7 @@ json.dump(found, sys.stdout)
 
 ENDS = (5e-324, 1e-300, 1e-100, 1e-16, 0.57, 1.57, 2.0, 1e3, 1e16, 1e100, 1e300, 1.797e308)
 PSIS = (5e-324, 1e-300, 1e-100, 1e-6, 0.5, 1.9999999999999998, 2.0, 1e16, 1.797e308)
+DAMPINGS = (0.0, 5e-324, 1e-100, 1e-20, 0.3, 1e30)
 ORDINARY = [(0.1 * 7**i, 0.01 * 3**j) for i in range(5) for j in range(6)]
 
 
@@ -54,7 +56,7 @@ def counted(collisions):
     return json.loads(run.stdout)
 
 
-@pytest.mark.parametrize("damping", [0.0, 5e-324, 1e-100, 1e-20, 0.3, 1e30])
+@pytest.mark.parametrize("damping", every_day([0.0, 1e-20, 1e30], of=DAMPINGS))
 def test_extremes_take_no_more_evaluations_than_their_predicted_cost_allows(damping):
     """Ordinary ones take 5, with damping 20 for each switch that is expected."""
     pairs = [(kappa, psi) for kappa in ENDS for psi in PSIS]

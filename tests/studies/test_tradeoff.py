@@ -174,7 +174,8 @@ def test_study_tells_its_progress_and_can_be_left(monkeypatch):
     assert seen == [(0.0, 0), (pytest.approx(1 / 3), 1), (pytest.approx(2 / 3), 2), (1.0, 3)]
 
 
-def test_storing_a_scene_leaves_the_others(tmp_path):
+def test_storing_a_scene_leaves_the_others(tmp_path, monkeypatch):
+    monkeypatch.setattr(every, "COLLISIONS", 50)
     target = tmp_path / "tradeoff.json"
     for scene in ("solids", "figure4"):
         *_, (_, measurement) = study_tradeoff(scene, [by("coulomb")])
@@ -184,7 +185,8 @@ def test_storing_a_scene_leaves_the_others(tmp_path):
     assert stored["solids"]["rows"][0]["method"] == "coulomb"
 
 
-def test_rows_of_another_program_join_and_the_report_says_whether_one_took_part(tmp_path):
+def test_rows_of_another_program_join_and_the_report_tells_so(tmp_path, monkeypatch):
+    monkeypatch.setattr(every, "COLLISIONS", 50)
     target = tmp_path / "tradeoff.json"
     few = [by("coulomb"), by("timestep", integrator="velocity_verlet", steps=50)]
     *_, (_, measurement) = study_tradeoff("solids", few)

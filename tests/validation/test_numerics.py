@@ -9,6 +9,8 @@ from high_precision import collide
 from make_collisions import exact
 from make_numerics import NEIGHBOURS, UNIT
 
+from cases import every_day
+
 
 @pytest.fixture(scope="module")
 def rows():
@@ -143,7 +145,9 @@ def test_limits_of_the_document_are_those_of_the_walk():
         assert known.slopes == pytest.approx(walk.slopes, rel=1e-12, abs=1e-30)
 
 
-@pytest.mark.parametrize(("kappa", "psi", "here", "there"), NEIGHBOURS[:4])
+@pytest.mark.parametrize(
+    ("kappa", "psi", "here", "there"), every_day(NEIGHBOURS[:1], of=NEIGHBOURS[:4])
+)
 def test_neighbouring_doubles_have_different_true_counts(kappa, psi, here, there):
     following = math.nextafter(psi, math.inf)
     assert collide(exact(kappa), exact(psi), digits=30).switches == here
