@@ -11,7 +11,7 @@ from explorer import Witness
 from playwright.sync_api import Page, expect
 from rest import rest
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.verify]
 
 ROOT = Path(__file__).parents[2]
 GUIDE = ROOT / "build" / "guide"
@@ -26,10 +26,8 @@ def guide() -> Path:
     return GUIDE
 
 
-# every fifth page, or each
-@pytest.mark.parametrize("stride", [5, pytest.param(1, marks=pytest.mark.verify)])
 def test_every_page_is_whole_and_quiet_and_no_wider_than_a_phone(
-    page: Page, server: str, guide: Path, stride: int
+    page: Page, server: str, guide: Path
 ):
     pages = sorted(file.name for file in guide.glob("*.html"))
     documents = {file.stem for file in (ROOT / "docs").glob("*.md")}
@@ -38,7 +36,7 @@ def test_every_page_is_whole_and_quiet_and_no_wider_than_a_phone(
     bad: list[str] = []
     page.on("response", lambda r: r.status >= 400 and bad.append(f"{r.status} {r.url}"))
     page.set_viewport_size({"width": 360, "height": 740})
-    for name in pages[::stride]:
+    for name in pages:
         page.goto(f"/guide/{name}")
         rest(page)
         assert page.evaluate("() => document.documentElement.scrollWidth") <= 360, name

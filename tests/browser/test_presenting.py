@@ -98,6 +98,7 @@ def test_a_clicker_walks_the_lesson_and_uncovers_what_is_covered(used_tab: Page)
     says(used_tab, "lesson-title", texts.step("stop", "title"))
 
 
+@pytest.mark.verify
 def test_a_clicker_walks_the_presets(used_tab: Page, server: str):
     present(used_tab)
     presets = used_tab.locator("[data-preset]")
@@ -113,6 +114,7 @@ def test_a_clicker_walks_the_presets(used_tab: Page, server: str):
     settle(used_tab, server)
 
 
+@pytest.mark.verify
 def test_controls_fade_until_somebody_moves(used_tab: Page):
     present(used_tab)
     # with the last timer

@@ -49,6 +49,7 @@ def test_a_drag_is_taken_back_whole_and_brought_back(page: Page, server: str):
     expect(redo).to_be_disabled()
 
 
+@pytest.mark.verify
 def test_control_z_in_a_field_is_the_fields_own(tab: Page, server: str):
     visit(tab, "/?kappa=20")
     settle(tab, server)
