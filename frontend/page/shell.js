@@ -14,7 +14,8 @@ import { typeset } from "../widgets/typeset.js";
 
 /** So long, in ms, a button says that it has done its work. */
 const SAID = 2000;
-const TALL_DESK = "(min-width: 75rem) and (min-height: 75rem)";
+/** A window so high, in rem, has room for the symbols below the controls. */
+const ROOM_FOR_SYMBOLS = 80;
 
 /** Where the skip link leads in scenes without the usual controls. @type {Record<string, string>} */
 const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
@@ -35,8 +36,10 @@ export function mountShell({ present, onOption }) {
   const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
   const skip = /** @type {HTMLAnchorElement} */ (find(".skip"));
   const usualName = share.textContent;
+  const rem = Number.parseFloat(getComputedStyle(root).fontSize);
   // Open from the start where the page would else end above it.
-  /** @type {HTMLDetailsElement} */ (byTestId("symbols")).open = matchMedia(TALL_DESK).matches;
+  /** @type {HTMLDetailsElement} */ (byTestId("symbols")).open =
+    matchMedia("(min-width: 75rem)").matches && innerHeight >= ROOM_FOR_SYMBOLS * rem;
   let shown = "";
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
