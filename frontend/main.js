@@ -10,6 +10,7 @@ import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
+import { mountSweepButtons } from "./page/sweep-buttons.js";
 import { takeLaterTexts, takeTexts } from "./page/texts.js";
 import { mountUndo } from "./page/undo.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
@@ -79,6 +80,7 @@ const page = {
   reportLost: connection.reportLost,
 };
 mountPin(page);
+const takePresses = mountSweepButtons(store.set);
 const explorer = mountExplorer(page);
 /** What is not in the first view. @type {[string, (state: PageState) => boolean, Parameters<typeof createDeferredScene>[2]][]} */
 const DEFERRED = [
@@ -102,6 +104,17 @@ const DEFERRED = [
     "presenting",
     isPresented,
     async () => (await import("./page/presenting/presenting.js")).mountPresenting,
+  ],
+  [
+    "sweeping",
+    ({ sweep }) => sweep !== null,
+    async () => {
+      const [{ mountSweeping }, { createTrails }] = await Promise.all([
+        import("./page/sweeping/sweeping.js"),
+        import("./scenes/explorer/trails.js"),
+      ]);
+      return (its) => mountSweeping(its, takePresses, createTrails(explorer.showTrails));
+    },
   ],
 ];
 const load = { file: client.file, font: client.font, reportLost: connection.reportLost };

@@ -17,13 +17,14 @@ import { powerScale, logScale } from "./scales.js";
 
 /**
  * The share of g_t that is spin, the rest of which is travel: g_t alone does not tell.
- * @type {Pick<Parameter, "admits" | "requirement" | "initial"> & {key: "spin_share"}}
+ * @type {Omit<Parameter, "key" | "ticks"> & {key: "spin_share"}}
  */
 export const SPIN_SHARE = {
   key: "spin_share",
   initial: 0,
   admits: (value) => value >= 0 && value <= 1,
   requirement: between(0, 1),
+  scale: powerScale(0, 1, 1),
 };
 
 /**

@@ -5,7 +5,7 @@ import { writeAddress } from "./url.js";
 
 /** @typedef {import("./url.js").PageState} PageState */
 
-/** How the page looks and speaks is nothing that is shown: it stays as it is. */
+/** How the page looks, speaks and moves is nothing that is shown: it stays as it is. */
 const USUAL_LOOKS = /** @type {const} */ ({
   theme: "system",
   lang: "system",
@@ -13,6 +13,7 @@ const USUAL_LOOKS = /** @type {const} */ ({
   presenting: "off",
   left: "contact",
   right: "map",
+  sweep: null,
 });
 
 /** To turn to another page is always a step of its own. */
@@ -92,8 +93,8 @@ export function createUndoStack(initial) {
  * @param {PageState} present
  * @returns {PageState}
  */
-export function withLooks(state, { theme, lang, face, presenting, left, right }) {
-  return { ...state, theme, lang, face, presenting, left, right };
+export function withLooks(state, { theme, lang, face, presenting, left, right, sweep }) {
+  return { ...state, theme, lang, face, presenting, left, right, sweep };
 }
 
 /** @param {PageState} state */

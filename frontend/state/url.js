@@ -10,6 +10,7 @@ import { BOUNCES, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./par
 import { readPins, writePins } from "./pins.js";
 import { misfit, misread } from "./requirements.js";
 import { PRESENTED, SCENES } from "./scenes.js";
+import { readSweep, writeSweep } from "./sweep.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
 
 /** The options that are words, each with what it may be; the first is the default. */
@@ -105,6 +106,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} left picture of those presented
  * @property {string} right one, or the same for that alone
  * @property {import("./impact.js").Impact} impact of real spheres
+ * @property {import("./sweep.js").Sweep | null} sweep that a slider is ready for, or in
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
 
@@ -145,12 +147,14 @@ export function readAddress(search) {
   const alpha = readAlpha(query, problems);
   const spin_share = readNumber(query, SPIN_SHARE, problems) ?? SPIN_SHARE.initial;
   const pins = readPinned(query, problems);
+  const sweep = readSwept(query, problems);
   return {
     state: /** @type {PageState} */ ({
       collision,
       alpha,
       spin_share,
       pins,
+      sweep,
       accuracy,
       impact,
       ...words,
@@ -226,6 +230,19 @@ function readPinned(query, problems) {
 
 /**
  * @param {URLSearchParams} query
+ * @param {string[]} problems to which that of it is added
+ */
+function readSwept(query, problems) {
+  const text = query.get("sweep");
+  const sweep = text === null ? null : readSweep(text);
+  if (text !== null && !sweep) {
+    problems.push(misfit("sweep", say("requirements.sweep"), text));
+  }
+  return sweep;
+}
+
+/**
+ * @param {URLSearchParams} query
  * @param {string[]} problems to which those of it are added
  * @param {import("./accuracy.js").Accuracy} usual
  */
@@ -265,7 +282,8 @@ function readWord(query, key, allowed, problems, usual = allowed[0]) {
  * The address of a state, from its question mark on.
  * @param {PageState} state
  */
-export function writeAddress({ collision, alpha, spin_share, accuracy, impact, pins, ...words }) {
+export function writeAddress(state) {
+  const { collision, alpha, spin_share, accuracy, impact, pins, sweep, ...words } = state;
   const query = new URLSearchParams();
   for (const { key } of PARAMETERS) {
     // What is not damped says nothing of damping.
@@ -300,8 +318,9 @@ export function writeAddress({ collision, alpha, spin_share, accuracy, impact, p
       query.set(key, word);
     }
   }
-  // Its commas and semicolons read better as they are.
-  return `?${query}${pins.length > 0 ? `&pins=${writePins(pins)}` : ""}`;
+  // Their commas and semicolons read better as they are.
+  const pinned = pins.length > 0 ? `&pins=${writePins(pins)}` : "";
+  return `?${query}${pinned}${sweep ? `&sweep=${writeSweep(sweep)}` : ""}`;
 }
 
 /**

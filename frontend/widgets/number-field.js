@@ -18,13 +18,13 @@ const USUAL_LENGTH = 7;
  * asked about, and until that is answered, what was before holds.
  * @param {HTMLInputElement} field
  * @param {HTMLElement} problem where it is said what is wrong
- * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
+ * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS, symbol?: string}} parameter with what it is called where that is not its symbol
  * @param {(value: number | null, change: import("../state/store.js").Change) => void} onChange told null for what is worked out of the others
  */
 export function createNumberField(field, problem, parameter, onChange) {
   const { admits, unit } = parameter;
   const requirement = parameter.requirement();
-  const symbol = PLAIN_SYMBOLS[parameter.key];
+  const symbol = parameter.symbol ?? PLAIN_SYMBOLS[parameter.key];
   const unmet = misfit(symbol, requirement, "");
   const name = say(`parameters.${parameter.key}`);
   const subject = unit ? say("fields.subject", { name }) : symbol;

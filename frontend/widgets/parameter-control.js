@@ -6,9 +6,10 @@ import { say } from "../format/words.js";
 import { SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 import { find } from "./find.js";
 import { createNumberField } from "./number-field.js";
+import { nameSweepButton } from "./sweep-button.js";
 
 /**
- * A slider, a number field and a reset for one parameter.
+ * A slider with its play button, a number field and a reset for one parameter.
  * @param {HTMLElement} parent
  * @param {Omit<import("../state/parameters.js").Parameter, "key" | "initial"> & {key: keyof typeof PLAIN_SYMBOLS}} parameter
  * @param {(value: number | null, change: import("../state/store.js").Change) => void} onChange told null where a reset has it worked out of the others
@@ -19,6 +20,7 @@ export function mountParameterControl(parent, parameter, onChange) {
   const root = find(".parameter", fragment);
   const slider = /** @type {HTMLInputElement} */ (find(".parameter-slider", root));
   const field = /** @type {HTMLInputElement} */ (find(".parameter-field", root));
+  const sweep = /** @type {HTMLButtonElement} */ (find(".sweep-play", root));
   const reset = /** @type {HTMLButtonElement} */ (find(".parameter-reset", root));
   const problem = find(".parameter-problem", root);
   const hook = parameter.key.replaceAll("_", "-");
@@ -41,6 +43,8 @@ export function mountParameterControl(parent, parameter, onChange) {
   slider.dataset.testid = `${hook}-slider`;
   slider.setAttribute("aria-label", `${plainSymbol}, ${name}`);
   slider.max = String(SLIDER_STEPS);
+  sweep.dataset.testid = `${hook}-sweep`;
+  nameSweepButton(sweep, parameter.key, plainSymbol);
   reset.dataset.testid = `${hook}-reset`;
   find(".parameter-ticks", root).append(...ticks(parameter));
 

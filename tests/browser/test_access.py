@@ -29,7 +29,7 @@ STATES = {
     "real spheres": "/?scene=spheres&material=alumina-on-glass",
     "speed and accuracy": "/?scene=accuracy&method=timestep",
     "the paper": "/?scene=paper",
-    "compared": "/?pins=4.5,1.4,4;18,0.8,0.9,0.3",
+    "compared, to be swept": "/?pins=4.5,1.4,4;18,0.8,0.9,0.3&sweep=kappa,1,100",
     "switches on logarithmic axes": "/?kappa=2000&map=switches&scale=log",
 }
 
@@ -60,7 +60,7 @@ FOCUSED = """() => {
 EVERY_DAY = [
     (1440, "dark", "first"),
     (390, "light", "speed and accuracy"),
-    (390, "dark", "compared"),
+    (390, "dark", "compared, to be swept"),
 ]
 
 

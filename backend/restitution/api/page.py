@@ -143,6 +143,7 @@ LATER = (
     "presenting",
     "spheres",
     "steps",
+    "sweep",
     "tradeoff",
     "warnings",
 )

@@ -29,7 +29,7 @@ PAGE = (
     *("scene", "step", "embed", "theme", "lang", "notes", "handout", "face"),
     *("presenting", "left", "right"),
     *("map", "scale", "map_x", "map_y", "shape", "energy"),
-    *("cut_x", "cut_y", "bounce", "spin_share", "pins"),
+    *("cut_x", "cut_y", "bounce", "spin_share", "pins", "sweep"),
     *("region", "statistic", "wanted_error", "velocity_law", "velocity_scale"),
     *("paper_verdict", "paper_kind"),
 )

@@ -31,3 +31,20 @@ export const NO_GHOSTS = {
   marks: () => [],
   tables: () => [],
 };
+
+/**
+ * What is pinned, over what a sweep leaves behind, which has lines alone.
+ * @param {Ghosts} trails
+ * @param {Ghosts} pinned
+ * @returns {Ghosts}
+ */
+export function over(trails, pinned) {
+  return {
+    ...pinned,
+    duration: Math.max(trails.duration, pinned.duration),
+    tangentialForce: Math.max(trails.tangentialForce, pinned.tangentialForce),
+    velocity: Math.max(trails.velocity, pinned.velocity),
+    leastVelocity: Math.min(trails.leastVelocity, pinned.leastVelocity),
+    lines: (...how) => [...trails.lines(...how), ...pinned.lines(...how)],
+  };
+}

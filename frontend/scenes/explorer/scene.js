@@ -14,7 +14,7 @@ import { createBallLoad } from "../../state/loading/collision-load.js";
 import { mountBounce } from "./bounce/bounce.js";
 import { mountCut } from "./cut/cut.js";
 import { mountEnergyToggle } from "./energy-toggle.js";
-import { NO_GHOSTS } from "./ghosts.js";
+import { NO_GHOSTS, over } from "./ghosts.js";
 import { readMap } from "./map-reading.js";
 import { mountMap } from "./map.js";
 import { bounceTable, cutTable, forceTable, velocityTable } from "./tables.js";
@@ -45,7 +45,7 @@ const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
 /**
  * The scene "Explorer": force, velocity and contact over time, the map, and the cut through it.
  * @param {import("../scene.js").Page} page
- * @returns {import("../scene.js").Scene & {showGhosts: (ghosts: import("./ghosts.js").Ghosts) => void}}
+ * @returns {import("../scene.js").Scene & Record<"showGhosts" | "showTrails", (ghosts: import("./ghosts.js").Ghosts) => void>}
  */
 export function mountExplorer({ client, present, set, setCollision, preview, explain, explainBy }) {
   const force = mountForceTrace(byTestId("force-trace"));
@@ -63,6 +63,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   let shownCut = null;
   let hasPlayed = false;
   let ghosts = NO_GHOSTS;
+  let trails = NO_GHOSTS;
 
   const maps = createFollower({
     load: client.map,
@@ -182,18 +183,31 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
     velocity.showReason(say("trace.none"));
   }
 
+  /** What lies behind the next pictures over time. */
+  function lay() {
+    const behind = over(trails, ghosts);
+    force.showGhosts(behind);
+    velocity.showGhosts(behind);
+    timeCursor.reach(behind.duration);
+  }
+
   const parameters = () => ({ ...present().collision });
   const request = () => ({ call: "trace", query: traceQuery(present().collision) });
 
   return {
     showGhosts(next) {
       ghosts = next;
-      [force, velocity, map, cut].forEach((picture) => picture.showGhosts(next));
-      timeCursor.reach(next.duration);
+      [map, cut].forEach((picture) => picture.showGhosts(next));
+      lay();
       if (trace) {
         force.show(trace, false);
         velocity.show(trace, false);
       }
+    },
+
+    showTrails(next) {
+      trails = next;
+      lay();
     },
 
     show(state, previous, { inputTimeStamp }) {

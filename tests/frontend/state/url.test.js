@@ -4,6 +4,7 @@ import { test } from "node:test";
 import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/accuracy.js";
 import { impactOf } from "../../../frontend/state/impact.js";
 import { INITIAL_COLLISION, SOLID_ALPHA } from "../../../frontend/state/parameters.js";
+import { sweepOf } from "../../../frontend/state/sweep.js";
 import { isAt, readAddress, stateAt, writeAddress } from "../../../frontend/state/url.js";
 import { spreadNumbers } from "../random.js";
 
@@ -13,6 +14,7 @@ const USUAL = {
   bounce: "wall",
   spin_share: 0,
   pins: [],
+  sweep: null,
   accuracy: USUAL_ACCURACY,
   map: "epsilon_t",
   scale: "linear",
@@ -71,6 +73,9 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
         [{ kappa: gt_over_gn, mu_over_alpha: kappa, gt_over_gn: 0, damping: 0 }],
         [null, null, { kappa, mu_over_alpha, gt_over_gn, damping: 1e-300 }],
       ][(i / 3) % 3],
+      sweep: [null, sweepOf("radius_m"), { ...sweepOf("kappa"), from: 20, once: true }][
+        (i / 3) % 3
+      ],
       map: i % 2 ? "epsilon_t" : "switches",
       scale: i % 4 > 1 ? "linear" : "log",
       map_x: i % 5 ? "kappa" : "alpha_kappa",

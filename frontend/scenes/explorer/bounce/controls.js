@@ -1,8 +1,10 @@
 // @ts-check
 
 import { say } from "../../../format/words.js";
+import { SPIN_SHARE } from "../../../state/parameters.js";
 import { choose } from "../../../widgets/choices.js";
 import { byTestId, find } from "../../../widgets/find.js";
+import { nameSweepButton } from "../../../widgets/sweep-button.js";
 
 /**
  * What the ball bounces off, how often, and how much of g_t is spin.
@@ -30,6 +32,11 @@ export function mountBallControls(panel, onOption) {
       onOption({ spin_share: slider.valueAsNumber }, { dragging, inputTimeStamp: timeStamp });
     });
   }
+  nameSweepButton(
+    /** @type {HTMLButtonElement} */ (byTestId("spin-share-sweep", panel)),
+    SPIN_SHARE.key,
+    say("bounce.spin"),
+  );
   slider.setAttribute(
     "aria-label",
     find("legend", byTestId("spin-choices", panel)).textContent ?? "",

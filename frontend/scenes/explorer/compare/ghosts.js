@@ -2,6 +2,7 @@
 
 import { say } from "../../../format/words.js";
 import { clamp } from "../../../state/scales.js";
+import { reachOf } from "../reach.js";
 import { DASHES, inALine, letterAt } from "./pinned.js";
 
 /** @typedef {import("./pinned.js").Pinned} Pinned */
@@ -29,17 +30,8 @@ export function createGhosts(pinned) {
   const placed = pinned.flatMap(({ index, collision, loaded }) =>
     loaded ? [{ index, collision, epsilon_t: loaded.result.epsilon_t }] : [],
   );
-  const most = (/** @type {(trace: import("../../../api/answers.js").Trace) => number} */ of) =>
-    drawn.reduce((largest, { trace }) => Math.max(largest, of(trace)), 0);
   return {
-    duration: most((trace) => trace.contact_duration),
-    tangentialForce: most(({ tangential_force_over_mu: forces }) =>
-      forces.reduce((largest, force) => Math.max(largest, Math.abs(force)), 0),
-    ),
-    velocity: most(({ tangential_velocity: velocity }) => Math.abs(velocity[0])),
-    leastVelocity: -most(({ tangential_velocity: velocity }) =>
-      velocity.reduce((largest, value) => Math.max(largest, -value), 0),
-    ),
+    ...reachOf(drawn.map(({ trace }) => trace)),
 
     lines: (column, theme, factor = 1) =>
       drawn.map(({ index, trace }) => ({

@@ -1,0 +1,31 @@
+// @ts-check
+
+import { sweepOf } from "../state/sweep.js";
+
+/**
+ * The play buttons of the sliders. What plays comes with the first press, and then takes them over.
+ * @param {(patch: Partial<import("../state/url.js").PageState>, change: {dragging: boolean}) => void} set
+ * @returns {(take: (button: HTMLElement) => void) => void} told of every press, also of one before it was there
+ */
+export function mountSweepButtons(set) {
+  /** @type {HTMLElement | null} */
+  let waiting = null;
+  /** @param {HTMLElement} button */
+  let press = (button) => {
+    waiting = button;
+    set({ sweep: sweepOf(button.dataset.sweep ?? "") }, { dragging: true });
+  };
+  document.addEventListener("click", ({ target }) => {
+    const button = /** @type {Element} */ (target).closest("[data-sweep]");
+    if (button) {
+      press(/** @type {HTMLElement} */ (button));
+    }
+  });
+
+  return (take) => {
+    press = take;
+    if (waiting) {
+      take(waiting);
+    }
+  };
+}
