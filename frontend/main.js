@@ -10,7 +10,6 @@ import { mountFirstHint } from "./page/first-hint.js";
 import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
-import { mountSweepButtons } from "./page/sweep-buttons.js";
 import { takeLaterTexts, takeTexts } from "./page/texts.js";
 import { mountUndo } from "./page/undo.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
@@ -28,6 +27,7 @@ import { createStore } from "./state/store.js";
 import { readAddress } from "./state/url.js";
 import { byTestId, find } from "./widgets/find.js";
 import { afterNextFrame, announcePainted } from "./widgets/painted.js";
+import { mountSweepButtons } from "./widgets/sweep-buttons.js";
 
 /**
  * @typedef {import("./state/url.js").PageState} PageState

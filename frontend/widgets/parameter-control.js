@@ -6,7 +6,7 @@ import { say } from "../format/words.js";
 import { SLIDER_STEPS, sliderStep, valueAtStep } from "../state/parameters.js";
 import { find } from "./find.js";
 import { createNumberField } from "./number-field.js";
-import { nameSweepButton } from "./sweep-button.js";
+import { nameSweepButton } from "./sweep-buttons.js";
 
 /**
  * A slider with its play button, a number field and a reset for one parameter.

@@ -5,7 +5,7 @@ import { say } from "../../format/words.js";
 import { sweepOf, sweptBy, writeSweep } from "../../state/sweep.js";
 import { make } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { calm, nameSweepButton } from "../../widgets/sweep-button.js";
+import { calm, nameSweepButton } from "../../widgets/sweep-buttons.js";
 import { courseOf, createRun, placeAt, spanOf, stepOn } from "./course.js";
 import { createDetails } from "./details.js";
 
@@ -25,7 +25,7 @@ const PRESSING = ["Enter", " "];
  * What goes there and back by itself: a slider, moved as a hand moves it, until one touches anything.
  * Where nothing is to move by itself, each press is a step.
  * @param {import("../../scenes/scene.js").Page} page
- * @param {ReturnType<typeof import("../sweep-buttons.js").mountSweepButtons>} takePresses
+ * @param {ReturnType<typeof import("../../widgets/sweep-buttons.js").mountSweepButtons>} takePresses
  * @param {ReturnType<typeof import("../../scenes/explorer/trails.js").createTrails>} trails
  * @returns {import("../../scenes/scene.js").Scene}
  */
@@ -233,9 +233,12 @@ export function mountSweeping({ present, set }, takePresses, trails) {
 
     follow() {},
 
-    settle(answer) {
-      trace = answer.trace;
-      leaveTrail();
+    settle(answer, _, isPresent) {
+      // While it runs, what is a moment late is as good.
+      if (isPresent || run.isRunning()) {
+        trace = answer.trace;
+        leaveTrail();
+      }
     },
 
     forget() {},

@@ -4,7 +4,7 @@ import { say } from "../../../format/words.js";
 import { SPIN_SHARE } from "../../../state/parameters.js";
 import { choose } from "../../../widgets/choices.js";
 import { byTestId, find } from "../../../widgets/find.js";
-import { nameSweepButton } from "../../../widgets/sweep-button.js";
+import { nameSweepButton } from "../../../widgets/sweep-buttons.js";
 
 /**
  * What the ball bounces off, how often, and how much of g_t is spin.
