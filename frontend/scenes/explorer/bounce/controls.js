@@ -35,7 +35,7 @@ export function mountBallControls(panel, onOption) {
   nameSweepButton(
     /** @type {HTMLButtonElement} */ (byTestId("spin-share-sweep", panel)),
     SPIN_SHARE.key,
-    say("bounce.spin"),
+    say("bounce.spinShare"),
   );
   slider.setAttribute(
     "aria-label",
