@@ -190,7 +190,7 @@ export function mountSweeping({ present, set }, takePresses, trails) {
     const button = /** @type {HTMLButtonElement | null} */ (
       document.querySelector(`[data-sweep="${sweep?.key}"]`)
     );
-    if (button !== ready?.button) {
+    if (button !== (ready?.button ?? null)) {
       moveTo(button);
     }
     if (ready && sweep) {
