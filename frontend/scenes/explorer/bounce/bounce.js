@@ -84,7 +84,8 @@ export function mountBounce(panel, { onShare, onOption }) {
   }
 
   function draw() {
-    if (!state || !ball || !result || !size) {
+    // Where it is not shown it has no width.
+    if (!state || !ball || !result || !size?.width) {
       return;
     }
     motions = allMotions(state, ball, result);
