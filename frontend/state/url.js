@@ -10,8 +10,8 @@ import { BOUNCES, PARAMETERS, parseNumber, SOLID_ALPHA, SPIN_SHARE } from "./par
 import { readPins, writePins } from "./pins.js";
 import { misfit, misread } from "./requirements.js";
 import { PRESENTED, SCENES } from "./scenes.js";
-import { readSweep, writeSweep } from "./sweep.js";
 import { REGIONS, STATISTICS, WANTED_ERRORS } from "./tradeoff-options.js";
+import { readSweep, writeSweep } from "./sweep.js";
 
 /** The options that are words, each with what it may be; the first is the default. */
 const WORDS = {
@@ -78,6 +78,7 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} bounce off what, and how often
  * @property {number} spin_share of g_t, the rest of which is travel
  * @property {import("./pins.js").Pins} pins collisions to compare the present one with
+ * @property {import("./sweep.js").Sweep | null} sweep that a slider is ready for, or in
  * @property {import("./accuracy.js").Accuracy} accuracy
  * @property {"epsilon_t" | "switches"} map the quantity the map shows
  * @property {"linear" | "log"} scale of the axes of map and cut
@@ -106,7 +107,6 @@ const WORD_KEYS = /** @type {(keyof typeof WORDS)[]} */ (Object.keys(WORDS));
  * @property {string} left picture of those presented
  * @property {string} right one, or the same for that alone
  * @property {import("./impact.js").Impact} impact of real spheres
- * @property {import("./sweep.js").Sweep | null} sweep that a slider is ready for, or in
  * @property {string} embed the one panel to show without the rest of the page, or `none`
  */
 
