@@ -7,8 +7,8 @@ import { PARAMETERS, parseNumber, SPIN_SHARE } from "./parameters.js";
  * How a slider goes there and back by itself.
  * @typedef {object} Sweep
  * @property {string} key of its parameter
- * @property {number} from where it goes to first is the other end
- * @property {number} to
+ * @property {number} from
+ * @property {number} to the end that it goes to first, above or below the other
  * @property {number} seconds there and back
  * @property {boolean} once, or until it is stopped
  */

@@ -43,7 +43,6 @@ def test_a_slider_runs_until_something_is_touched_and_is_taken_back_whole(
     expect(play).to_have_accessible_name("Stop κ")
     expect(used_tab.get_by_test_id("said")).to_have_text("κ goes from 0.1 to 1000 and back")
     eventually(lambda: leaves_trails(used_tab, 5), used_tab)
-    entries = used_tab.evaluate("() => history.length")
     used_tab.get_by_test_id("summary").click()
     rest(used_tab)
     settle(used_tab, server)
@@ -54,7 +53,6 @@ def test_a_slider_runs_until_something_is_touched_and_is_taken_back_whole(
     expect(used_tab.get_by_test_id("said")).to_have_text(f"κ has stopped at {kappa:g}")
     # what is seen is what is saved
     leaves_trails(used_tab, 5)
-    assert used_tab.evaluate("() => history.length") == entries + 1
     witness.assert_silence()
     used_tab.get_by_test_id("undo").click()
     settle(used_tab, server)

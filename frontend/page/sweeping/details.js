@@ -1,5 +1,6 @@
 // @ts-check
 
+import { typable } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { between } from "../../state/requirements.js";
 import { sweptBy } from "../../state/sweep.js";
@@ -100,7 +101,9 @@ export function createDetails(opener, { onChange, onAway }) {
       to.show(next.to);
       const offered = [...new Set([...SECONDS, next.seconds])].sort((a, b) => a - b);
       seconds.replaceChildren(
-        ...offered.map((each) => new Option(say("sweep.seconds", { seconds: each }), `${each}`)),
+        ...offered.map(
+          (each) => new Option(say("sweep.seconds", { seconds: typable(each) }), `${each}`),
+        ),
       );
       seconds.value = String(next.seconds);
       loop.checked = !next.once;
@@ -131,7 +134,7 @@ export function createDetails(opener, { onChange, onAway }) {
         admits: (value) => value >= min && value <= max && value !== shown?.[other],
         requirement: between(min, max),
       },
-      (value, how) => change({ [name]: value ?? parameter.scale.min }, how),
+      (value, how) => change({ [name]: value ?? min }, how),
     );
     return {
       label: labelled(words, field),
