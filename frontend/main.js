@@ -3,7 +3,7 @@
 import { createClient, Unreachable } from "./api/client.js";
 import { say, spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
-import { createDeferredScene } from "./page/deferred-scene.js";
+import { bring, createDeferredScene } from "./page/deferred-scene.js";
 import { createExplanation } from "./page/explanation.js";
 import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
@@ -16,21 +16,21 @@ import { mountPictureMenu } from "./pictures/picture-menu.js";
 import { mountSaveAll } from "./pictures/save-all.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
-import { createAddressBar } from "./state/address-bar.js";
+import { createAddressBar } from "./state/address/bar.js";
 import { createCollisionLoad } from "./state/loading/collision-load.js";
 import { createConnection } from "./state/loading/connection.js";
 import { createLatest } from "./state/loading/latest.js";
 import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
-import { isPresented, SCENES } from "./state/scenes.js";
+import { embedded, isPresented, SCENES } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
-import { readAddress } from "./state/url.js";
+import { readAddress } from "./state/address/reading.js";
 import { byTestId, find } from "./widgets/find.js";
 import { afterNextFrame, announcePainted } from "./widgets/painted.js";
 import { mountSweepButtons } from "./widgets/sweep-buttons.js";
 
 /**
- * @typedef {import("./state/url.js").PageState} PageState
+ * @typedef {import("./state/address/options.js").PageState} PageState
  * @typedef {import("./state/store.js").Change} Change
  */
 
@@ -54,12 +54,15 @@ const connection = createConnection({
   },
 });
 const explainBy = createExplanation(connection.reportLost);
+/** What a frame lets through of a change. @type {typeof import("./page/embedding/frame.js").unlocked} */
+let unlocked = (patch) => patch;
 const setters = {
   present: store.get,
-  set: store.set,
+  /** @type {import("./scenes/scene.js").Page["set"]} */
+  set: (patch, change) => store.set(unlocked(patch, store.get(), change), change),
   /** @type {import("./scenes/scene.js").Page["setCollision"]} */
   setCollision: (patch, change) =>
-    store.set({ collision: { ...store.get().collision, ...patch } }, change),
+    setters.set({ collision: { ...store.get().collision, ...patch } }, change),
   /** @type {import("./scenes/scene.js").Page["setAccuracy"]} */
   setAccuracy: (patch, change) => store.set(withAccuracy(store.get(), patch), change),
 };
@@ -85,8 +88,18 @@ const explorer = mountExplorer(page);
 /** What is not in the first view. @type {[string, (state: PageState) => boolean, Parameters<typeof createDeferredScene>[2]][]} */
 const DEFERRED = [
   [
+    "frame",
+    ({ embed }) => embed !== "none",
+    async () => {
+      const frame = await import("./page/embedding/frame.js");
+      unlocked = frame.unlocked;
+      return frame.mountFrame;
+    },
+  ],
+  [
     "compare",
-    ({ scene, pins, embed }) => scene === "explorer" && (pins.length > 0 || embed === "compare"),
+    (state) =>
+      state.scene === "explorer" && (state.pins.length > 0 || embedded(state).includes("compare")),
     async () => {
       const { mountCompare } = await import("./scenes/explorer/compare/scene.js");
       return (its) => mountCompare(its, explorer.showGhosts);
@@ -122,6 +135,7 @@ const load = { file: client.file, font: client.font, reportLost: connection.repo
 const panels = [];
 const scenes = [explorer, ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus))];
 [collision, explorer].forEach(mountMenus);
+byTestId("embed").addEventListener("click", () => openBuilder());
 mountSaveAll(panels, store.get, {
   ...load,
   words: () => takeLaterTexts(client.words),
@@ -163,8 +177,14 @@ reportAddressProblems(problems);
 /** @param {Pick<import("./scenes/scene.js").Scene, "pictures">} scene */
 function mountMenus({ pictures }) {
   for (const [name, picture] of Object.entries(pictures)) {
-    panels.push(mountPictureMenu(find(`[data-panel="${name}"]`), picture, store.get, load));
+    panels.push(mountPictureMenu(find(`[data-panel="${name}"]`), picture, openBuilder, load));
   }
+}
+
+/** Shows how the page stands in the frame of another one. @param {string} [panel] that is wanted there */
+async function openBuilder(panel) {
+  const builder = await bring("embedding", () => import("./page/embedding/builder.js"), page);
+  builder?.openBuilder(store.get(), panel);
 }
 
 /** @param {string} id @returns {(state: PageState) => boolean} */
@@ -215,7 +235,6 @@ function settle(answer, wish) {
   const isPresent =
     sameCollision(wish.collision, now.collision) && sameAccuracy(wish.accuracy, accuracyOf(now));
   collision.settle(answer, wish, isPresent);
-  shell.caption(answer.result);
   if (!wish.isPictured) {
     afterNextFrame(() => announcePainted("result", wish.change.inputTimeStamp));
   }

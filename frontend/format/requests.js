@@ -79,16 +79,6 @@ print(list(result))`;
 }
 
 /**
- * The frame that shows one panel on another page.
- * @param {string} address
- * @param {string} title
- */
-export function frameOf(address, title) {
-  const quoted = address.replaceAll("&", "&amp;").replaceAll('"', "&quot;");
-  return `<iframe src="${quoted}" title="${title}" width="720" height="480" loading="lazy" style="border: 0"></iframe>`;
-}
-
-/**
  * A file name that says what is in it and for which numbers: `restitution-force-kappa-63-….csv`.
  * @param {string} what
  * @param {Record<string, number | string>} parameters

@@ -4,8 +4,9 @@ import { collisionQuery } from "../api/queries.js";
 import { say } from "../format/words.js";
 import { accuracyOf, sameAccuracy } from "../state/accuracy.js";
 import { scaleFor } from "../state/map-view.js";
-import { PARAMETERS } from "../state/parameters.js";
-import { stateAt } from "../state/url.js";
+import { INITIAL_COLLISION, PARAMETERS } from "../state/parameters.js";
+import { offered } from "../state/scenes.js";
+import { stateAt } from "../state/address/writing.js";
 import { byTestId, find } from "../widgets/find.js";
 import { mountParameterControl } from "../widgets/parameter-control.js";
 import { mountAccuracyControl } from "./accuracy-control.js";
@@ -29,6 +30,9 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
       setCollision({ [parameter.key]: value ?? parameter.initial }, change),
     ),
   }));
+  const start = present();
+  /** What is reset goes back to: in the frame of an author, to what that begins with. */
+  const home = offered(start) ? start.collision : INITIAL_COLLISION;
   /** @type {import("../state/loading/collision-load.js").LoadedCollision | null} */
   let loaded = null;
 
@@ -37,8 +41,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
     offer: presets.offer,
 
     /**
-     * @param {import("../state/url.js").PageState} state
-     * @param {import("../state/url.js").PageState | null} previous
+     * @param {import("../state/address/options.js").PageState} state
+     * @param {import("../state/address/options.js").PageState | null} previous
      */
     show(state, previous) {
       const accuracy = accuracyOf(state);
@@ -46,8 +50,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
         strip.preview(null);
       }
       accuracyControl.show(accuracy);
-      for (const { key, initial, show } of controls) {
-        show(state.collision[key], initial);
+      for (const { key, show } of controls) {
+        show(state.collision[key], home[key]);
       }
       presets.show(state);
     },

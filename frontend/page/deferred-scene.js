@@ -11,7 +11,7 @@ import { takeLaterTexts } from "./texts.js";
 /**
  * A scene whose code, styles and words come when it is first shown; what it has missed it is told then.
  * @param {string} id
- * @param {(state: import("../state/url.js").PageState) => boolean} isShown
+ * @param {(state: import("../state/address/options.js").PageState) => boolean} isShown
  * @param {() => Promise<(page: Page) => Scene>} load gives what mounts it
  * @param {Page} page
  * @param {(scene: Scene) => void} onMounted
@@ -30,14 +30,10 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
     isComing = true;
     const root = document.documentElement;
     root.toggleAttribute(`data-${id}-coming`, true);
-    const parts = [load(), takeLaterTexts(page.client.words), ...stylesOf(id)];
-    const [mount] = await Promise.all(/** @type {[ReturnType<typeof load>]} */ (parts)).catch(
-      () => [null],
-    );
+    const mount = await bring(id, load, page);
     isComing = false;
     root.toggleAttribute(`data-${id}-coming`, false);
     if (!mount) {
-      page.reportLost(say("server.partMissing"));
       return;
     }
     const state = page.present();
@@ -54,7 +50,7 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
     }
   }
 
-  /** @param {import("../state/url.js").PageState} state */
+  /** @param {import("../state/address/options.js").PageState} state */
   function openIfShown(state) {
     if (isShown(state) && !isComing) {
       open();
@@ -98,6 +94,24 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
 
     pictures: {},
   };
+}
+
+/**
+ * Lets a part of the page come, with its style sheets and the words that are not in the first view.
+ * @template Part
+ * @param {string} id
+ * @param {() => Promise<Part>} load
+ * @param {Pick<Page, "client" | "reportLost">} page
+ * @returns {Promise<Part | null>} null where it did not arrive, which is told
+ */
+export async function bring(id, load, { client, reportLost }) {
+  try {
+    const parts = [load(), takeLaterTexts(client.words), ...stylesOf(id)];
+    return (await Promise.all(/** @type {[Promise<Part>]} */ (parts)))[0];
+  } catch {
+    reportLost(say("server.partMissing"));
+    return null;
+  }
 }
 
 /**

@@ -7,7 +7,7 @@ import { ofVisits } from "../state/memory.js";
 import { isPlain, isTwoFaced } from "../state/scenes.js";
 import { byTestId } from "../widgets/find.js";
 
-/** @typedef {import("../state/url.js").PageState} PageState */
+/** @typedef {import("../state/address/options.js").PageState} PageState */
 
 /**
  * The plain and the expert face of the page, switched where the result says how exact it is.

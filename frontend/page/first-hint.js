@@ -18,7 +18,7 @@ export function mountFirstHint() {
   });
 
   return {
-    /** @param {import("../state/url.js").PageState} state */
+    /** @param {import("../state/address/options.js").PageState} state */
     show({ scene, embed }) {
       element.hidden = isAway || scene !== "explorer" || embed !== "none";
     },

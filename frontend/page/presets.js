@@ -3,7 +3,7 @@
 import { say } from "../format/words.js";
 import { sameCollision } from "../state/parameters.js";
 import { letterOf, textsOf } from "../state/presets.js";
-import { isAt } from "../state/url.js";
+import { isAt } from "../state/address/writing.js";
 import { markLanguage } from "../widgets/elements.js";
 import { byTestId } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
@@ -21,7 +21,7 @@ import { typeset } from "../widgets/typeset.js";
 export function mountPresets(element, onChoose) {
   /** @type {Choice[]} */
   let choices = [];
-  /** @type {import("../state/url.js").PageState | null} */
+  /** @type {import("../state/address/options.js").PageState | null} */
   let present = null;
   const rows = document.createElement("div");
   rows.className = "preset-rows";
@@ -104,7 +104,7 @@ export function mountPresets(element, onChoose) {
       mark();
     },
 
-    /** @param {import("../state/url.js").PageState} state */
+    /** @param {import("../state/address/options.js").PageState} state */
     show(state) {
       present = state;
       mark();

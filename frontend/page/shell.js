@@ -1,16 +1,13 @@
 // @ts-check
 
-import { significant, typable } from "../format/number.js";
-import { collisionInALine } from "../format/sentence.js";
 import { knownLanguages, say, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
-import { writeAddress } from "../state/url.js";
+import { writeAddress } from "../state/address/writing.js";
 import { copyText } from "../widgets/copy.js";
 import { byTestId, find } from "../widgets/find.js";
-import { typeset } from "../widgets/typeset.js";
 
-/** @typedef {import("../state/url.js").PageState} PageState */
+/** @typedef {import("../state/address/options.js").PageState} PageState */
 
 /** So long, in ms, a button says that it has done its work. */
 const SAID = 2000;
@@ -21,7 +18,7 @@ const ROOM_FOR_SYMBOLS = 80;
 const MAIN_PARTS = { spheres: "impact-controls", paper: "paper" };
 
 /**
- * What is around the pictures: scenes, colours, the link to share, and the page cut down to one panel.
+ * What is around the pictures: scenes, colours, and the link to share.
  * @param {object} handlers
  * @param {() => PageState} handlers.present
  * @param {(patch: Partial<PageState>) => void} handlers.onOption
@@ -32,8 +29,6 @@ export function mountShell({ present, onOption }) {
   const language = /** @type {HTMLSelectElement} */ (byTestId("language"));
   const share = byTestId("share");
   const scenes = byTestId("scenes");
-  const caption = byTestId("embed-caption");
-  const fullPage = /** @type {HTMLAnchorElement} */ (byTestId("full-page"));
   const skip = /** @type {HTMLAnchorElement} */ (find(".skip"));
   const usualName = share.textContent;
   const rem = Number.parseFloat(getComputedStyle(root).fontSize);
@@ -92,18 +87,11 @@ export function mountShell({ present, onOption }) {
     }
   }
 
-  // Only when it is about to be followed: it changes with every step of a drag.
-  for (const kind of ["pointerenter", "focus"]) {
-    fullPage.addEventListener(kind, () => {
-      fullPage.href = writeAddress({ ...present(), embed: "none" });
-    });
-  }
-
   return {
     /** @param {PageState} state */
     show(state) {
-      const { scene, embed } = state;
-      const wanted = `${scene} ${state.theme} ${embed} ${state.step} ${state.lang}`;
+      const { scene } = state;
+      const wanted = `${scene} ${state.theme} ${state.step} ${state.lang}`;
       if (wanted === shown) {
         return;
       }
@@ -112,16 +100,7 @@ export function mountShell({ present, onOption }) {
       theme.value = state.theme;
       language.value = state.lang === "system" ? spokenLanguage() : state.lang;
       setOrRemove(root, "data-theme", state.theme, "system");
-      setOrRemove(root, "data-embed", embed, "none");
       root.dataset.shown = scene;
-      for (const panel of document.querySelectorAll("[data-panel]")) {
-        panel.toggleAttribute("data-embedded", panel.getAttribute("data-panel") === embed);
-      }
-      // Found here, for a :has() in a style sheet is looked for at every text that Plotly measures.
-      for (const group of document.querySelectorAll(".dashboard > *")) {
-        const holds = group.querySelector("[data-embedded]") !== null;
-        group.toggleAttribute("data-holds-embedded", holds);
-      }
       for (const part of document.querySelectorAll("main [data-scene]")) {
         const own = part.getAttribute("data-scene")?.split(" ") ?? [];
         part.toggleAttribute("hidden", !own.includes(scene));
@@ -131,19 +110,9 @@ export function mountShell({ present, onOption }) {
         link.href = writeAddress({ ...state, scene: id, ...settingOf(id, state.step) });
         setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
       }
-      fullPage.href = writeAddress({ ...state, embed: "none" });
       // What led here may have gone with its scene: the keyboard goes on in this one.
       if (focused?.closest("[hidden]")) {
         find(skip.hash).focus({ preventScroll: true });
-      }
-    },
-
-    /** The line under a single panel. @param {import("../api/answers.js").CollisionAnswer} result */
-    caption({ parameters, epsilon_t: epsilon }) {
-      // The results beyond the paper are not of this collision.
-      if (root.dataset.embed && root.dataset.shown !== "paper") {
-        const line = collisionInALine(parameters, short);
-        typeset(caption, `${line}: ε_t = ${significant(epsilon)}`);
       }
     },
   };
@@ -154,11 +123,6 @@ function languageOption({ id, name }) {
   const option = new Option(name, id);
   option.lang = id;
   return option;
-}
-
-/** A parameter as it reads in a line: those of real spheres have all digits. @param {number} value */
-function short(value) {
-  return typable(Number(value.toPrecision(6)));
 }
 
 /**

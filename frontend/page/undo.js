@@ -6,7 +6,7 @@ import { say } from "../format/words.js";
 import { createUndoStack, withLooks } from "../state/undo-stack.js";
 import { byTestId } from "../widgets/find.js";
 
-/** @typedef {import("../state/url.js").PageState} PageState */
+/** @typedef {import("../state/address/options.js").PageState} PageState */
 
 /** What has a Ctrl+Z of its own, or stands before the page. */
 const ELSEWHERE = "input:not([type=range], [type=radio], [type=checkbox]), textarea, dialog";

@@ -7,7 +7,7 @@ import { zipOf } from "./zip.js";
 
 /**
  * @typedef {import("./panel-picture.js").PanelPicture} PanelPicture
- * @typedef {import("../state/url.js").PageState} PageState
+ * @typedef {import("../state/address/options.js").PageState} PageState
  * @typedef {{name: string, content: Blob | string, title: string}} File
  */
 

@@ -1,12 +1,12 @@
 // @ts-check
 
-import { addressOf, curlOf, frameOf, pythonOf, serverOf } from "../format/requests.js";
+import { addressOf, curlOf, pythonOf, serverOf } from "../format/requests.js";
 import { say } from "../format/words.js";
-import { writeAddress } from "../state/url.js";
+import { codeBlock } from "../widgets/copy.js";
 import { find } from "../widgets/find.js";
 import { download } from "./download.js";
 import { panelPicture } from "./panel-picture.js";
-import { codeBlock, openSheet, tableElement } from "./sheet.js";
+import { openSheet, tableElement } from "./sheet.js";
 
 /** Pixels between a button and its menu. */
 const GAP = 4;
@@ -42,14 +42,15 @@ const FILES = [
  * The menu of a panel: its data, its picture, its table, its request, its frame.
  * @param {HTMLElement} panel with its name as `data-panel`
  * @param {import("./panel-picture.js").Picture} picture
- * @param {() => import("../state/url.js").PageState} present
+ * @param {(name: string) => void} embed shows how it stands in a frame of another page
  * @param {Load} load
  */
-export function mountPictureMenu(panel, picture, present, load) {
+export function mountPictureMenu(panel, picture, embed, load) {
   const saved = panelPicture(panel, picture);
   const { name, hasPicture } = saved;
   const menu = document.createElement("div");
   const button = document.createElement("button");
+  panel.dataset.title = picture.title;
   menu.id = `menu-${name}`;
   menu.className = "menu";
   menu.popover = "auto";
@@ -90,17 +91,9 @@ export function mountPictureMenu(panel, picture, present, load) {
     group(say("menu.picture"), hasPicture ? pictures : []),
   ];
   const [dataGroup, pictureGroup] = groups;
-  menu.append(
-    ...groups,
-    table,
-    item(say("menu.request"), showRequest),
-    item(say("menu.embed"), () =>
-      openSheet(say("menu.embedOf", { title: picture.title }), [
-        codeBlock("HTML", frameOf(embedAddress(), say("menu.frame", { title: picture.title }))),
-        codeBlock(say("menu.address"), embedAddress()),
-      ]),
-    ),
-  );
+  const toEmbed = item(say("page.embed"), () => embed(name));
+  toEmbed.className = "to-embed";
+  menu.append(...groups, table, item(say("menu.request"), showRequest), toEmbed);
   pictureGroup.hidden = !hasPicture;
   (panel.querySelector(".panel-head") ?? panel).append(button, menu);
 
@@ -188,10 +181,6 @@ export function mountPictureMenu(panel, picture, present, load) {
       codeBlock("curl", curlOf(request, serverOf(location.href))),
       codeBlock("Python", pythonOf(request, serverOf(location.href))),
     ]);
-  }
-
-  function embedAddress() {
-    return new URL(writeAddress({ ...present(), embed: name }), location.href).href;
   }
 
   return saved;

@@ -2,14 +2,14 @@
 
 import { fileName } from "../format/requests.js";
 import { say } from "../format/words.js";
-import { writeAddress } from "../state/url.js";
+import { writeAddress } from "../state/address/writing.js";
 import { byTestId } from "../widgets/find.js";
 import { download } from "./download.js";
 
 /**
  * The button that gives all that the scene shows as one ZIP.
  * @param {import("./panel-picture.js").PanelPicture[]} panels to which those of later scenes are added
- * @param {() => import("../state/url.js").PageState} present
+ * @param {() => import("../state/address/options.js").PageState} present
  * @param {import("./picture-menu.js").Load & {words: () => Promise<void>, say: (text: string) => void}} load
  */
 export function mountSaveAll(panels, present, load) {

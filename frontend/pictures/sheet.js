@@ -1,7 +1,6 @@
 // @ts-check
 
 import { say } from "../format/words.js";
-import { copyText } from "../widgets/copy.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
@@ -15,39 +14,6 @@ export function openSheet(title, content) {
   typeset(find("h2", sheet), title);
   find(".sheet-body", sheet).replaceChildren(...content);
   sheet.showModal();
-}
-
-/**
- * A text to be copied.
- * @param {string} name
- * @param {string} text
- */
-export function codeBlock(name, text) {
-  const figure = document.createElement("figure");
-  const caption = document.createElement("figcaption");
-  const copy = document.createElement("button");
-  const code = document.createElement("pre");
-  figure.className = "code";
-  caption.textContent = name;
-  copy.className = "quiet";
-  copy.type = "button";
-  copy.textContent = say("sheet.copy");
-  copy.setAttribute("aria-label", say("sheet.copyNamed", { name }));
-  copy.addEventListener("click", async () => {
-    const done = await copyText(text);
-    copy.textContent = say(done ? "page.copied" : "sheet.copyYourself");
-    copy.setAttribute(
-      "aria-label",
-      done ? say("sheet.copied", { name }) : say("sheet.copyYourself"),
-    );
-  });
-  code.textContent = text;
-  code.tabIndex = 0;
-  code.setAttribute("role", "region");
-  code.setAttribute("aria-label", name);
-  caption.append(copy);
-  figure.append(caption, code);
-  return figure;
 }
 
 /** @param {import("../figures/tables.js").Table} table */

@@ -5,7 +5,7 @@ import type { Accuracy } from "../state/accuracy.js";
 import type { CollisionWish, LoadedCollision } from "../state/loading/collision-load.js";
 import type { Collision } from "../state/parameters.js";
 import type { Change } from "../state/store.js";
-import type { PageState } from "../state/url.js";
+import type { PageState } from "../state/address/options.js";
 
 /** What the page gives to each of its scenes. */
 export interface Page {

@@ -4,7 +4,7 @@ import { USUAL_ACCURACY } from "./accuracy.js";
 import { BOUNCES, sameCollision, SOLID_ALPHA, SPIN_SHARE } from "./parameters.js";
 
 /**
- * @typedef {import("./url.js").PageState} PageState
+ * @typedef {import("./address/options.js").PageState} PageState
  * @typedef {import("./parameters.js").Collision} Collision
  * @typedef {Pick<PageState, "collision" | "accuracy" | "alpha" | "map" | "scale" | "map_x" | "map_y" | "shape" | "energy" | "bounce" | "spin_share" | "cut_x" | "cut_y">} Setting
  */

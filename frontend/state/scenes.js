@@ -1,9 +1,11 @@
 // @ts-check
 
+import { IMPACT_PARAMETERS } from "./impact.js";
 import { stepOf } from "./lesson.js";
 import { ofVisits } from "./memory.js";
+import { PARAMETERS, SPIN_SHARE } from "./parameters.js";
 
-/** @typedef {import("./url.js").PageState} PageState */
+/** @typedef {import("./address/options.js").PageState} PageState */
 
 /**
  * The scenes of the page in the order of its navigation; the first is the usual one. What belongs to
@@ -17,6 +19,23 @@ export const SCENES = [
   { id: "paper", hasTrace: false },
   { id: "lesson", hasTrace: true },
 ];
+
+/** Panels that belong to one scene. */
+export const PANELS = {
+  explorer: ["force", "velocity", "map", "cut", "contact", "compare"],
+  accuracy: ["tradeoff", "error_map", "overlay", "steps", "codes"],
+  spheres: ["velocities", "sphere_cut", "impact", "place"],
+  paper: ["paper", "collapse", "stiff_law", "switch_law"],
+};
+
+/** The values that a frame of a scene may have sliders for. @param {string} scene */
+export function slidersOf(scene) {
+  if (scene === "paper") {
+    return [];
+  }
+  const keys = (scene === "spheres" ? IMPACT_PARAMETERS : PARAMETERS).map(({ key }) => key);
+  return scene === "explorer" ? [...keys, SPIN_SHARE.key] : keys;
+}
 
 /** Scenes with a plain face, the explorer's pictures; what the others are about are numbers that it leaves out. */
 const TWO_FACED = ["explorer", "lesson"];
@@ -42,6 +61,22 @@ export function isTwoFaced({ scene, embed }) {
   return TWO_FACED.includes(scene) && embed === "none";
 }
 
+/** The panels that stand alone, in their order. @param {Pick<PageState, "embed">} state */
+export function embedded({ embed }) {
+  return embed === "none" ? [] : embed.split(",");
+}
+
+/**
+ * The values that may be moved where the author of a frame has said which; null where nothing is locked.
+ * @param {Pick<PageState, "embed" | "sliders">} state
+ */
+export function offered({ embed, sliders }) {
+  if (embed === "none" || sliders === "usual") {
+    return null;
+  }
+  return sliders === "none" ? [] : sliders.split(",");
+}
+
 /**
  * Whoever chose a face finds it at the next visit; the lesson begins plain, and what is presented is.
  * @param {Pick<PageState, "scene" | "embed" | "face" | "presenting">} state
@@ -60,7 +95,9 @@ export function isPlain(state) {
 export function picturesOf(state) {
   const { scene, embed } = state;
   const isHere = TWO_FACED.includes(scene);
-  const isShown = (/** @type {string} */ name) => isHere && (embed === "none" || embed === name);
+  const alone = embedded(state);
+  const isShown = (/** @type {string} */ name) =>
+    isHere && (embed === "none" || alone.includes(name));
   const isPicked = (scene === "lesson" || isPresented(state)) && presentedIn(state).includes("cut");
   const cut = isShown("cut") && (isPicked || !isPlain(state));
   // The cut has the colours of the map.

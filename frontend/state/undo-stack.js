@@ -1,9 +1,9 @@
 // @ts-check
 
-import { ONE_STEP } from "./address-bar.js";
-import { writeAddress } from "./url.js";
+import { ONE_STEP } from "./address/bar.js";
+import { writeAddress } from "./address/writing.js";
 
-/** @typedef {import("./url.js").PageState} PageState */
+/** @typedef {import("./address/options.js").PageState} PageState */
 
 /** How the page looks, speaks and moves is nothing that is shown: it stays as it is. */
 const USUAL_LOOKS = /** @type {const} */ ({

@@ -1,5 +1,7 @@
 // @ts-check
 
+import { say } from "../format/words.js";
+
 /**
  * Copies a text. The clipboard is there on a secure page only, and not in every frame; the older way
  * works with a selection.
@@ -23,4 +25,37 @@ export async function copyText(text) {
     before?.focus();
     return done;
   }
+}
+
+/**
+ * A text to be copied.
+ * @param {string} name
+ * @param {string} text
+ */
+export function codeBlock(name, text) {
+  const figure = document.createElement("figure");
+  const caption = document.createElement("figcaption");
+  const copy = document.createElement("button");
+  const code = document.createElement("pre");
+  figure.className = "code";
+  caption.textContent = name;
+  copy.className = "quiet";
+  copy.type = "button";
+  copy.textContent = say("sheet.copy");
+  copy.setAttribute("aria-label", say("sheet.copyNamed", { name }));
+  copy.addEventListener("click", async () => {
+    const done = await copyText(text);
+    copy.textContent = say(done ? "page.copied" : "sheet.copyYourself");
+    copy.setAttribute(
+      "aria-label",
+      done ? say("sheet.copied", { name }) : say("sheet.copyYourself"),
+    );
+  });
+  code.textContent = text;
+  code.tabIndex = 0;
+  code.setAttribute("role", "region");
+  code.setAttribute("aria-label", name);
+  caption.append(copy);
+  figure.append(caption, code);
+  return figure;
 }

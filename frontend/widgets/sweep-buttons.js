@@ -21,7 +21,7 @@ export function nameSweepButton(button, key, symbol) {
 
 /**
  * The play buttons of the sliders. What plays comes with the first press, and then takes them over.
- * @param {(patch: Partial<import("../state/url.js").PageState>, change: {dragging: boolean}) => void} set
+ * @param {(patch: Partial<import("../state/address/options.js").PageState>, change: {dragging: boolean}) => void} set
  * @returns {(take: (button: HTMLElement) => void) => void} told of every press, also of one before it was there
  */
 export function mountSweepButtons(set) {

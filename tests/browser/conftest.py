@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 from explorer import ACQUAINTED, settle, visit
-from playwright.sync_api import BrowserContext, BrowserType, Page, expect
+from playwright.sync_api import Browser, BrowserContext, BrowserType, Page, expect
 from rest import count_pending, rest
 from set_up_browser import ARGUMENTS, chromium_of_machine
 
@@ -89,6 +89,14 @@ def page(
     yield kept_page
     leave_as_found(kept_page)
     kept_page.goto("about:blank")
+
+
+@pytest.fixture
+def stranger(browser: Browser) -> Iterator[Page]:
+    """A page of somebody who has not seen the service before, nor its proxy's certificate."""
+    with browser.new_context(ignore_https_errors=True, reduced_motion="reduce") as context:
+        count_pending(context)
+        yield context.new_page()
 
 
 def refuse_script(*_: str) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from typing import TypeVar
 
-from playwright.sync_api import BrowserContext, Error, Page
+from playwright.sync_api import BrowserContext, Error, Frame, Page
 
 import waiting
 
@@ -100,7 +100,7 @@ def count_pending(context: BrowserContext) -> None:
     context.add_init_script(COUNT_PENDING)
 
 
-def rest(page: Page) -> None:
+def rest(page: Page | Frame) -> None:
     """Wait until a page has no request, timer or frame before it: what it does, it has done."""
 
     def rests() -> None:
@@ -109,7 +109,7 @@ def rest(page: Page) -> None:
     eventually(rests, page)
 
 
-def eventually(check: Callable[[], T], page: Page) -> T:
+def eventually(check: Callable[[], T], page: Page | Frame) -> T:
     """Return what a check returns once it holds; meanwhile the page goes on."""
 
     def check_document() -> T:

@@ -1,17 +1,15 @@
 """The page behind a proxy that shows it below a path, and in the frame of a stranger's page."""
 
-import http.server
-import threading
 import urllib.parse
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from another_host import another_host
 from example import PROGRAMS, behind
 from explorer import Witness, text
-from playwright.sync_api import Browser, Page
-from rest import count_pending, eventually, rest
+from playwright.sync_api import Page
+from rest import eventually, rest
 from set_up_program import program_of_machine
 
 pytestmark = pytest.mark.browser
@@ -36,14 +34,6 @@ def base(request: pytest.FixtureRequest, server: str, tmp_path: Path) -> Iterato
         yield f"{address}/"
 
 
-@pytest.fixture
-def stranger(browser: Browser) -> Iterator[Page]:
-    """A page of somebody who has not seen the service before, nor its proxy's certificate."""
-    with browser.new_context(ignore_https_errors=True, reduced_motion="reduce") as context:
-        count_pending(context)
-        yield context.new_page()
-
-
 # every third, or each
 @pytest.mark.verify
 def test_every_scene_is_there(stranger: Page, base: str):
@@ -65,27 +55,6 @@ def test_what_the_page_gives_away_leads_back_to_it(stranger: Page, base: str):
     stranger.get_by_test_id("menu-force").click()
     stranger.locator(":popover-open").get_by_text("API request", exact=True).click()
     assert f"{base}api/v1/trace?" in stranger.get_by_test_id("sheet").inner_text()
-
-
-@contextmanager
-def another_host(folder: Path) -> Iterator[str]:
-    """Yield where somebody else serves a folder: by its port it is another origin."""
-
-    class Quiet(http.server.SimpleHTTPRequestHandler):
-        def __init__(self, *given: object) -> None:
-            super().__init__(*given, directory=str(folder))  # type: ignore[arg-type]
-
-        def log_message(self, *_: object) -> None:
-            pass
-
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet) as host:
-        thread = threading.Thread(target=host.serve_forever)
-        thread.start()
-        try:
-            yield f"http://127.0.0.1:{host.server_port}"
-        finally:
-            host.shutdown()
-            thread.join()
 
 
 def test_it_works_in_a_frame_that_may_run_scripts_and_nothing_else(

@@ -252,7 +252,7 @@ def test_the_list_stands_in_a_frame_with_its_head(used_tab: Page):
     visit(used_tab, "/?embed=paper&paper_verdict=fails")
     expect(used_tab.get_by_test_id("paper-count")).to_be_visible()
     expect(used_tab.locator(".statement").first).to_be_visible()
-    expect(used_tab.locator(".masthead")).to_be_hidden()
+    expect(used_tab.get_by_test_id("scenes")).to_be_hidden()
     expect(used_tab.get_by_test_id("collapse")).to_be_hidden()
 
 

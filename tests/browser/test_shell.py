@@ -66,6 +66,7 @@ def test_embedded_panel_loads_alone(page: Page):
 
 def assert_stands_alone(page: Page, panel: str) -> None:
     page.get_by_test_id("full-page").wait_for()
+    rest(page)
     for each in PANELS + ACCURACY_PANELS + SPHERES_PANELS:
         assert page.locator(f"[data-panel={each}]").is_visible() == (each == panel)
     assert not page.get_by_test_id("share").is_visible()

@@ -18,7 +18,7 @@ from restitution.public.explore import STATE, explore
 ROOT = Path(__file__).parents[2]
 
 RECORD = """
-import { readAddress } from "./frontend/state/url.js";
+import { readAddress } from "./frontend/state/address/reading.js";
 const asked = new Set();
 for (const name of ["get", "has"]) {
   const real = URLSearchParams.prototype[name];
@@ -70,6 +70,12 @@ def test_state_becomes_the_address_that_the_browser_opens(opened):
     assert f"{address.scheme}://{address.netloc}{address.path}" == "http://there:1/"
     state = dict(urllib.parse.parse_qsl(address.query))
     assert state == {"kappa": "63", "gt_over_gn": "1e-05", "embed": "map"}
+
+
+def test_lists_become_the_address_of_a_frame_with_sliders(opened):
+    page = explore(server="http://there:1/", embed=["force", "map"], sliders=("kappa",), kappa=20)
+    assert page.url == "http://there:1/?embed=force,map&sliders=kappa&kappa=20"
+    assert opened == [page.url]
 
 
 def test_notebook_gets_a_frame_and_no_browser_is_opened(opened, monkeypatch):

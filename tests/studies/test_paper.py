@@ -152,7 +152,7 @@ def test_definitions_are_named_so_and_hold(items):
 def test_every_link_opens_a_state_of_the_page(items):
     links = sorted({item.link for item in items.values()})
     script = (
-        'import {readAddress} from "./frontend/state/url.js";'
+        'import { readAddress } from "./frontend/state/address/reading.js";'
         "for (const link of JSON.parse(process.argv[1]))"
         "  console.log(JSON.stringify([link, readAddress(link).problems]));"
     )
@@ -164,7 +164,10 @@ def test_every_link_opens_a_state_of_the_page(items):
     answers = [json.loads(line) for line in done.stdout.splitlines()]
     assert [link for link, _ in answers] == links
     assert [problems for _, problems in answers] == [[]] * len(links)
-    sources = [ROOT / "frontend/state" / f"{name}.js" for name in ("url", "parameters", "impact")]
+    sources = [
+        ROOT / "frontend/state" / f"{name}.js"
+        for name in ("address/options", "parameters", "impact")
+    ]
     text = "".join(source.read_text() for source in sources)
     known = set(re.findall(r'key: "(\w+)"', text)) | set(
         re.findall(r"^  (\w+):", text, re.MULTILINE)

@@ -135,6 +135,7 @@ LATER = (
     "bundle",
     "codes",
     "compare",
+    "embedding",
     "errorMap",
     "lesson",
     "materials",

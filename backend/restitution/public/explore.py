@@ -5,6 +5,7 @@ import html
 import sys
 import urllib.parse
 import webbrowser
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from restitution.errors import ParameterError
@@ -26,7 +27,7 @@ SPHERES = (
     *("radius_2_m", "density_2_kg_m3", "youngs_modulus_2_pa", "poisson_ratio_2"),
 )
 PAGE = (
-    *("scene", "step", "embed", "theme", "lang", "notes", "handout", "face"),
+    *("scene", "step", "embed", "sliders", "theme", "lang", "notes", "handout", "face"),
     *("presenting", "left", "right"),
     *("map", "scale", "map_x", "map_y", "shape", "energy"),
     *("cut_x", "cut_y", "bounce", "spin_share", "pins", "sweep"),
@@ -34,7 +35,7 @@ PAGE = (
     *("paper_verdict", "paper_kind"),
 )
 STATE = (*COLLISION, *WAY, *SPHERES, *PAGE)
-"""What the address of the page may name, as frontend/state/url.js reads it."""
+"""What the address of the page may name, as frontend/state/address/ reads it."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +66,9 @@ class Page:
         )
 
 
-def explore(*, server: str | None = None, height: int = 720, **state: str | float) -> Page:
+def explore(
+    *, server: str | None = None, height: int = 720, **state: str | float | Sequence[str]
+) -> Page:
     """Return the page at a state: a notebook shows it in a frame, else the browser opens it.
 
     Parameters
@@ -78,8 +81,10 @@ def explore(*, server: str | None = None, height: int = 720, **state: str | floa
         Of the frame, in pixels.
     **state
         As in the address of the page: kappa, mu_over_alpha, gt_over_gn, damping; scene,
-        ``"explorer"``, ``"accuracy"``, ``"spheres"``, ``"paper"`` or ``"lesson"``; embed, one
-        panel alone, as ``"map"`` or ``"force"``; … A value that makes no sense the page tells.
+        ``"explorer"``, ``"accuracy"``, ``"spheres"``, ``"paper"`` or ``"lesson"``; embed, panels
+        alone, as ``"map"`` or ``["force", "map"]``; sliders, what may be moved there, as
+        ``["kappa"]`` or ``"none"``, with all else locked; … A value that makes no sense the page
+        tells.
 
     Returns
     -------
@@ -104,7 +109,12 @@ def explore(*, server: str | None = None, height: int = 720, **state: str | floa
         near = difflib.get_close_matches(name, STATE)
         meant = f"as {' or '.join(near)}" if near else f"one of {', '.join(STATE)}"
         raise ParameterError(name, state[name], f"an option of the page, {meant}")
-    page = Page(f"{(server or _own_server()).rstrip('/')}/?{urllib.parse.urlencode(state)}", height)
+    words = {
+        name: value if isinstance(value, str | int | float) else ",".join(value)
+        for name, value in state.items()
+    }
+    query = urllib.parse.urlencode(words, safe=",")
+    page = Page(f"{(server or _own_server()).rstrip('/')}/?{query}", height)
     if not _in_notebook():
         webbrowser.open(page.url)
     return page

@@ -5,7 +5,7 @@ import { isPresented, PRESENTED, presentedIn } from "../../state/scenes.js";
 import { told } from "../../widgets/elements.js";
 import { byTestId } from "../../widgets/find.js";
 
-/** @typedef {import("../../state/url.js").PageState} PageState */
+/** @typedef {import("../../state/address/options.js").PageState} PageState */
 
 /** So long, in ms, after the last movement of the hand the controls stay. */
 const STAY = 3000;

@@ -10,7 +10,7 @@ import { courseOf, createRun, placeAt, spanOf, stepOn } from "./course.js";
 import { createDetails } from "./details.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/sweep.js").Sweep} Sweep
  */
 

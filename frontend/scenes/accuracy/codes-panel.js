@@ -4,10 +4,11 @@ import { textsOfMaterial } from "../../format/materials.js";
 import { createFollower, isSame } from "../../state/loading/follower.js";
 import { contactBody, materialOf, valuesOf } from "../../state/impact.js";
 import { PARAMETERS } from "../../state/parameters.js";
+import { embedded } from "../../state/scenes.js";
 import { byTestId, find } from "../../widgets/find.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/impact.js").Material} Material
  * @typedef {import("../../api/answers.js").CodesAnswer} CodesAnswer
  * @typedef {{body: Record<string, any>, material: Material}} CodesWish
@@ -78,8 +79,8 @@ export function mountCodesPanel(element, { client, present, explain }) {
 
   return {
     /** @param {PageState} state */
-    follow({ embed }) {
-      details.open ||= embed === "codes";
+    follow(state) {
+      details.open ||= embedded(state).includes("codes");
       if (details.open) {
         follow();
       }

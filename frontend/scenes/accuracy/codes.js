@@ -1,7 +1,7 @@
 // @ts-check
 
 import { duration, inUnits, powerOfTen, significant } from "../../format/number.js";
-import { writeAddress } from "../../state/url.js";
+import { writeAddress } from "../../state/address/writing.js";
 import { say } from "../../format/words.js";
 import { make, told } from "../../widgets/elements.js";
 
@@ -20,7 +20,7 @@ const GUIDE = "guide/for-dem-codes.html";
  * @param {CodesAnswer} subject.answer
  * @param {string} subject.bodies
  * @param {FoundSteps | null} subject.steps that the collision takes
- * @param {import("../../state/url.js").PageState} subject.state
+ * @param {import("../../state/address/options.js").PageState} subject.state
  */
 export function showCodes(place, { answer, bodies, steps, state }) {
   const velocity = inUnits(answer.normal_velocity_m_s, "m/s");

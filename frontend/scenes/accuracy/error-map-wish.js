@@ -19,7 +19,7 @@ const MOST_STEPS = 3e8;
 
 /**
  * The map of the error of the chosen method, on the axes of the map; null where it does not answer in all corners.
- * @param {Pick<import("../../state/url.js").PageState, "collision" | "accuracy" | "scale" | "map_y">} state
+ * @param {Pick<import("../../state/address/options.js").PageState, "collision" | "accuracy" | "scale" | "map_y">} state
  * @param {boolean} dragging
  * @param {ErrorMapWish | null} asked before
  * @returns {ErrorMapWish | null}

@@ -63,7 +63,7 @@ export function mountErrorMap(element, onPlace) {
     /**
      * @param {Float64Array[]} errors
      * @param {import("../../state/map-view.js").MapView} view
-     * @param {Pick<import("../../state/url.js").PageState, "map_x" | "alpha">} options
+     * @param {Pick<import("../../state/address/options.js").PageState, "map_x" | "alpha">} options
      */
     show(errors, view, { map_x, alpha }) {
       showReason(stage, "");

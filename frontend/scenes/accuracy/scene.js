@@ -20,7 +20,7 @@ import { codesTable, errorTable, steppedTable, tradeoffTable } from "./tables.js
 import { mountTradeoff } from "./tradeoff.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/parameters.js").Collision} Collision
  * @typedef {import("../../api/answers.js").Trace} Trace
  * @typedef {import("../../api/answers.js").Tradeoff} Tradeoff

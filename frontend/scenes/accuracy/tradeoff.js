@@ -12,7 +12,7 @@ import { seriesOf, tradeoffFigure } from "./tradeoff-figure.js";
 /**
  * @typedef {import("./tradeoff-figure.js").Row} Row
  * @typedef {import("../../api/answers.js").Tradeoff} Tradeoff
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  */
 
 /** Points that are clicked and read, unlike those of the other plots. */

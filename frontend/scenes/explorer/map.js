@@ -21,7 +21,7 @@ import { NO_GHOSTS } from "./ghosts.js";
  * @param {HTMLElement} element
  * @param {object} handlers
  * @param {(place: Record<string, number>, change: import("../../state/store.js").Change) => void} handlers.onPlace
- * @param {(patch: Partial<import("../../state/url.js").PageState>) => void} handlers.onOption
+ * @param {(patch: Partial<import("../../state/address/options.js").PageState>) => void} handlers.onOption
  */
 export function mountMap(element, { onPlace, onOption }) {
   const plotElement = find(".plot", element);
@@ -113,7 +113,7 @@ export function mountMap(element, { onPlace, onOption }) {
 
     point: crosshair.point,
 
-    /** @param {import("../../state/url.js").PageState} state */
+    /** @param {import("../../state/address/options.js").PageState} state */
     options({ map, scale, map_x, map_y, shape, alpha }) {
       const options = { map, scale, map_x, map_y };
       const wanted = JSON.stringify([options, shape, alpha]);

@@ -32,7 +32,7 @@ import {
 } from "./wishes.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../api/answers.js").Trace} Trace
  */
 

@@ -7,7 +7,7 @@ import { bounceOf, sameCollision } from "../../state/parameters.js";
  * @typedef {import("../../api/queries.js").MapWish} MapWish
  * @typedef {import("../../api/queries.js").CutWish} CutWish
  * @typedef {import("../../state/map-view.js").Counts} Counts
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  */
 
 /** @type {Counts} */

@@ -6,7 +6,7 @@ import { make, told } from "../../widgets/elements.js";
 import { teacherNotes } from "./teacher-notes.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/lesson.js").Step} Step
  * @typedef {import("../../format/words.js").Say} Say
  */

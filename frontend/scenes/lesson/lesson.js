@@ -3,7 +3,7 @@
 import { say, spokenLanguage } from "../../format/words.js";
 import { USUAL_ACCURACY } from "../../state/accuracy.js";
 import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
-import { writeAddress } from "../../state/url.js";
+import { writeAddress } from "../../state/address/writing.js";
 import { make, told } from "../../widgets/elements.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
@@ -13,7 +13,7 @@ import { predictionSummary } from "./summary.js";
 import { teacherNotes } from "./teacher-notes.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/lesson.js").Step} Step
  */
 

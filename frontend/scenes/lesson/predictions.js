@@ -7,7 +7,7 @@ import { sameCollision } from "../../state/parameters.js";
 /**
  * @typedef {import("../../state/lesson.js").Step} Step
  * @typedef {import("../../state/lesson.js").Seen} Seen
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  */
 
 /**

@@ -13,7 +13,7 @@ import { isAtStart } from "./predictions.js";
 /**
  * @typedef {import("../../state/lesson.js").Step} Step
  * @typedef {import("../../state/lesson.js").Seen} Seen
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  */
 
 /**

@@ -3,7 +3,7 @@
 import { brief, percentage, significant } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { KIND_CHOICES, VERDICT_CHOICES } from "../../state/paper.js";
-import { readAddress } from "../../state/url.js";
+import { readAddress } from "../../state/address/reading.js";
 import { choices, choose, onChoice } from "../../widgets/choices.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { createPlot } from "../../widgets/plots/plot.js";

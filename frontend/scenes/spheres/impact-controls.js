@@ -1,8 +1,9 @@
 // @ts-check
 
 import { textsOfMaterial } from "../../format/materials.js";
-import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
 import { say } from "../../format/words.js";
+import { IMPACT_PARAMETERS, impactOf, secondOf, usualOf, valuesOf } from "../../state/impact.js";
+import { offered } from "../../state/scenes.js";
 import { markLanguage, toldIn } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { mountParameterControl } from "../../widgets/parameter-control.js";
@@ -24,13 +25,15 @@ const INSTEAD_OF = {
 const OF_SPHERE = ["radius_2_m", "density_2_kg_m3"];
 
 /**
- * The material by name, and what of the impact is set by hand.
+ * The material by name, and what of the impact is set by hand; in the frame of an author, of that what is
+ * offered there alone.
  * @param {HTMLElement} element
+ * @param {import("../../state/address/options.js").PageState} start
  * @param {object} handlers
  * @param {(material: string) => void} handlers.onMaterial
  * @param {(patch: Partial<Impact>, change?: {dragging: boolean, inputTimeStamp: number}) => void} handlers.onChange
  */
-export function mountImpactControls(element, { onMaterial, onChange }) {
+export function mountImpactControls(element, start, { onMaterial, onChange }) {
   const choice = /** @type {HTMLSelectElement} */ (byTestId("material", element));
   const inertia = byTestId("inertia", element);
   const source = find(".preset-source", element);
@@ -46,9 +49,12 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
   let usualSecond = "";
   /** What is drawn again when the rest is unfolded. */
   let drawAgain = () => {};
-  const controls = IMPACT_PARAMETERS.filter(({ folded }) => !folded).map((parameter) =>
-    control(parent, parameter),
-  );
+  const names = offered(start);
+  const controls = (
+    names
+      ? names.flatMap((name) => IMPACT_PARAMETERS.filter(({ key }) => key === name))
+      : IMPACT_PARAMETERS.filter(({ folded }) => !folded)
+  ).map((parameter) => control(parent, parameter));
 
   /** Where its numbers are from, as the work has it, and what is not from there. @param {Material} material */
   function cite(material) {
@@ -84,7 +90,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
 
   function unfold() {
     const place = find(".impact-parameters", more);
-    if (more.open && place.children.length === 0) {
+    if (more.open && !names && place.children.length === 0) {
       const folded = IMPACT_PARAMETERS.filter((parameter) => parameter.folded);
       controls.push(...folded.map((parameter) => control(place, parameter)));
       drawAgain();
@@ -125,6 +131,8 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
         IMPACT_PARAMETERS.some(({ key, folded }) => folded && impact[key] !== null);
       unfold();
       const values = valuesOf(material, impact);
+      // What is reset in a frame goes back to what that begins with.
+      const home = names ? valuesOf(material, start.impact) : usual;
       const isWall = secondOf(material, impact) === "wall";
       typeset(note, say("spheres.restitutionHolds"));
       note.hidden = impact.normal_restitution === null;
@@ -132,7 +140,7 @@ export function mountImpactControls(element, { onMaterial, onChange }) {
         root.hidden = isWall && OF_SPHERE.includes(key);
         if (!root.hidden) {
           const value = values[key] ?? rounded(workedOut[key] ?? NaN);
-          show(value, usual[key], values[key] === null);
+          show(value, home[key], values[key] === null);
         }
       }
       const kind = find(`[value="${isWall ? "wall" : "sphere"}"]`, second);

@@ -35,7 +35,7 @@ import { sphereCutTable, velocityMapTable } from "./tables.js";
 import { mountVelocityMap } from "./velocity-map.js";
 
 /**
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  * @typedef {import("../../state/store.js").Change} Change
  * @typedef {import("../../state/impact.js").Impact} Impact
  * @typedef {import("../../state/impact.js").Material} Material
@@ -83,7 +83,7 @@ export function mountSpheres({ client, present, set, preview, say: notify, expla
   layOver(placeElement, MAP_MARGIN);
   const placeMark = createMark(placeElement);
   const result = createImpactResult(find(".impact"));
-  const controls = mountImpactControls(find(".impact-controls"), {
+  const controls = mountImpactControls(find(".impact-controls"), present(), {
     onMaterial: (material) => set({ impact: impactOf(material) }),
     onChange: changeImpact,
   });

@@ -17,7 +17,7 @@ import { velocityMapFigure } from "./velocity-map-figure.js";
  * @typedef {import("../../api/answers.js").Scaling} Scaling
  * @typedef {import("../../api/answers.js").VelocityMap} VelocityMap
  * @typedef {ReturnType<typeof import("../../state/impact.js").velocityView>} VelocityView
- * @typedef {import("../../state/url.js").PageState} PageState
+ * @typedef {import("../../state/address/options.js").PageState} PageState
  */
 
 /** @type {import("../../widgets/plots/crosshair.js").Axes<VelocityView, {normal: number, tangential: number}>} */

@@ -5,7 +5,6 @@ import {
   addressOf,
   curlOf,
   fileName,
-  frameOf,
   pythonOf,
   serverOf,
 } from "../../../frontend/format/requests.js";
@@ -41,10 +40,6 @@ test("what is posted is written out for the shell and for Python", () => {
     `curl "${SERVER}api/v1/scaling" -H "Content-Type: application/json" -d '{"friction_coefficient":0.4}'`,
   );
   assert.match(pythonOf(request, SERVER), /"friction_coefficient": 0\.4/);
-});
-
-test("frameOf escapes the address for an attribute", () => {
-  assert.match(frameOf("/?a=1&b=2", "Map"), /src="\/\?a=1&amp;b=2" title="Map"/);
 });
 
 test("fileName holds the parameters and nothing that a file system refuses", () => {

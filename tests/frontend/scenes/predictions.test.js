@@ -4,7 +4,7 @@ import { test } from "node:test";
 import { createPredictions } from "../../../frontend/scenes/lesson/predictions.js";
 import { createRecord } from "../../../frontend/scenes/lesson/record.js";
 import { stepNumber, STEPS } from "../../../frontend/state/lesson.js";
-import { readAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
 
 const predicted = STEPS.filter(({ prediction }) => prediction);
 const [stop, reversal] = predicted;

@@ -5,7 +5,8 @@ import { test } from "node:test";
 import { METHODS } from "../../../frontend/state/accuracy.js";
 import { READINGS, settingOf, stepOf, STEPS, textsOf } from "../../../frontend/state/lesson.js";
 import { PARAMETERS } from "../../../frontend/state/parameters.js";
-import { readAddress, writeAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
+import { writeAddress } from "../../../frontend/state/address/writing.js";
 import { flat, LOCALES } from "../locales.js";
 
 const FRONTEND = new URL("../../../frontend/", import.meta.url);

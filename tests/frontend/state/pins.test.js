@@ -8,7 +8,8 @@ import {
   withPin,
   writePins,
 } from "../../../frontend/state/pins.js";
-import { readAddress, writeAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
+import { writeAddress } from "../../../frontend/state/address/writing.js";
 
 const collision = (kappa, mu_over_alpha, gt_over_gn, damping = 0) => ({
   kappa,

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { isPlain, picturesOf, presentedIn } from "../../../frontend/state/scenes.js";
-import { readAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
 
 const at = (search) => readAddress(search).state;
 

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { createUndoStack, withLooks } from "../../../frontend/state/undo-stack.js";
-import { readAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
 
 const stateAt = (search) => readAddress(search).state;
 

@@ -39,7 +39,7 @@ export function mountBounce(panel, { onShare, onOption }) {
   const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const view = mountPicture(picture, template);
 
-  /** @type {import("../../../state/url.js").PageState | null} */
+  /** @type {import("../../../state/address/options.js").PageState | null} */
   let state = null;
   /** @type {LoadedBall | null} */
   let ball = null;
@@ -188,7 +188,7 @@ export function mountBounce(panel, { onShare, onOption }) {
   }).observe(stage);
 
   return {
-    /** What is known at once. @param {import("../../../state/url.js").PageState} next */
+    /** What is known at once. @param {import("../../../state/address/options.js").PageState} next */
     show(next) {
       const isOther = next.bounce !== state?.bounce;
       // Whoever moves something wants to see the way out.
@@ -267,7 +267,7 @@ export function mountBounce(panel, { onShare, onOption }) {
 
 /**
  * The motions that are known: the last of two bounces once the server has answered for this collision.
- * @param {import("../../../state/url.js").PageState} state
+ * @param {import("../../../state/address/options.js").PageState} state
  * @param {LoadedBall} ball
  * @param {{epsilonT: number, epsilonN: number}} result
  */

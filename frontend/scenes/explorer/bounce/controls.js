@@ -43,7 +43,7 @@ export function mountBallControls(panel, onOption) {
   );
 
   return {
-    /** @param {import("../../../state/url.js").PageState} state */
+    /** @param {import("../../../state/address/options.js").PageState} state */
     show({ bounce, spin_share: share }) {
       choose(panel, { bounce });
       slider.valueAsNumber = share;

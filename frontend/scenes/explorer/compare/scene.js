@@ -14,7 +14,7 @@ import { createTable } from "./table.js";
 /**
  * @typedef {import("./pinned.js").Pinned} Pinned
  * @typedef {import("../../../state/loading/collision-load.js").LoadedCollision} LoadedCollision
- * @typedef {import("../../../state/url.js").PageState} PageState
+ * @typedef {import("../../../state/address/options.js").PageState} PageState
  */
 
 /** Pictures whose legend says which line is of which collision, where the table is not beside them. */

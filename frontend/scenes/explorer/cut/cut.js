@@ -29,7 +29,7 @@ import { cutFigure, hasStiffLimit } from "./cut-figure.js";
  * @typedef {Parameters<typeof cutFigure>[0]} ShownCut
  * @typedef {Omit<ShownCut, "letters" | "most" | "vertical">} LoadedCut
  * @typedef {import("../../../state/parameters.js").Collision} Collision
- * @typedef {import("../../../state/url.js").PageState} PageState
+ * @typedef {import("../../../state/address/options.js").PageState} PageState
  */
 
 /**

@@ -1,6 +1,7 @@
 // @ts-check
 
-import { readAddress, writeAddress } from "./url.js";
+import { readAddress } from "./reading.js";
+import { writeAddress } from "./writing.js";
 
 /** Browsers refuse more than some twenty changes of the address a second. */
 const PAUSE = 150;
@@ -10,7 +11,7 @@ export const ONE_STEP = 1000;
 /**
  * The address bar, which holds the whole state: a drag moves along one entry of the history and adds
  * a single new one when it ends.
- * @param {(state: import("./url.js").PageState, problems: string[]) => void} onReturn back or forward was pressed
+ * @param {(state: import("./options.js").PageState, problems: string[]) => void} onReturn back or forward was pressed
  */
 export function createAddressBar(onReturn) {
   let settled = location.search;
@@ -31,7 +32,7 @@ export function createAddressBar(onReturn) {
   });
 
   return {
-    /** @param {import("./url.js").PageState} state */
+    /** @param {import("./options.js").PageState} state */
     correct(state) {
       settled = writeAddress(state);
       page = pageOf(state);
@@ -39,8 +40,8 @@ export function createAddressBar(onReturn) {
     },
 
     /**
-     * @param {import("./url.js").PageState} state
-     * @param {import("./store.js").Change} change
+     * @param {import("./options.js").PageState} state
+     * @param {import("../store.js").Change} change
      */
     follow(state, { dragging, isWorkedOut }) {
       const address = writeAddress(state);
@@ -49,8 +50,9 @@ export function createAddressBar(onReturn) {
         timer = setTimeout(() => history.replaceState(null, "", address), PAUSE);
         return;
       }
-      if (isWorkedOut) {
-        // No step of its own, or from the one before it back would lead here again.
+      if (isWorkedOut || parent !== window) {
+        // No step of its own, or from the one before it back would lead here again; in a frame back
+        // belongs to the page around it.
         settled = address;
         history.replaceState(null, "", address);
         return;
@@ -71,7 +73,7 @@ export function createAddressBar(onReturn) {
   };
 }
 
-/** @param {import("./url.js").PageState} state */
+/** @param {import("./options.js").PageState} state */
 function pageOf({ scene, step }) {
   return `${scene} ${step}`;
 }

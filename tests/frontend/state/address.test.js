@@ -5,7 +5,8 @@ import { INTEGRATORS, METHODS, USUAL_ACCURACY } from "../../../frontend/state/ac
 import { impactOf } from "../../../frontend/state/impact.js";
 import { INITIAL_COLLISION, SOLID_ALPHA } from "../../../frontend/state/parameters.js";
 import { sweepOf } from "../../../frontend/state/sweep.js";
-import { isAt, readAddress, stateAt, writeAddress } from "../../../frontend/state/url.js";
+import { readAddress } from "../../../frontend/state/address/reading.js";
+import { isAt, stateAt, writeAddress } from "../../../frontend/state/address/writing.js";
 import { spreadNumbers } from "../random.js";
 
 const USUAL = {
@@ -27,6 +28,7 @@ const USUAL = {
   scene: "explorer",
   theme: "system",
   embed: "none",
+  sliders: "usual",
   region: "figure4",
   statistic: "p95",
   wanted_error: "1e-3",
@@ -86,7 +88,8 @@ test("readAddress gives back exactly the state that writeAddress wrote", () => {
       cut_y: i % 10 > 4 ? "linear" : "log",
       scene: "explorer",
       theme: ["system", "light", "dark"][i % 3],
-      embed: ["none", "force", "map"][(i >> 1) % 3],
+      embed: ["none", "force", "map,result"][(i >> 1) % 3],
+      sliders: (i >> 1) % 3 ? ["usual", "none", "gt_over_gn,kappa"][(i / 3) % 3] : "usual",
       accuracy: {
         method: METHODS[i % METHODS.length].id,
         tolerance: 10 ** -(1 + (i % 12)),
@@ -176,6 +179,32 @@ test("readAddress brings the scene of a panel that stands alone", () => {
   assert.equal(readAddress("?embed=result&scene=accuracy").state.scene, "accuracy");
 });
 
+test("readAddress takes panels of one scene and values of that, each once and in their order", () => {
+  const read = (/** @type {string} */ search) => {
+    const { state, problems } = readAddress(search);
+    return [state.scene, state.embed, state.sliders, problems.length].join(" ");
+  };
+  assert.equal(
+    read("?embed=map,result,map&sliders=gt_over_gn,kappa,kappa"),
+    "explorer map,result gt_over_gn,kappa 0",
+  );
+  assert.equal(read("?embed=velocities&sliders=radius_m"), "spheres velocities radius_m 0");
+  assert.equal(read("?embed=force&sliders=none"), "explorer force none 0");
+  assert.equal(read("?embed=paper&sliders=kappa"), "paper paper usual 1");
+  assert.equal(read("?embed=,none&sliders="), "explorer none usual 2");
+  // Without a frame nothing is locked.
+  assert.equal(read("?sliders=kappa"), "explorer none usual 0");
+});
+
+test("readAddress names the panels and values that do not belong together, and keeps the others", () => {
+  const { state, problems } = readAddress("?embed=force,velocities,map&sliders=kappa,radius_m");
+  assert.deepEqual([state.embed, state.sliders], ["force,map", "kappa"]);
+  assert.deepEqual(problems, [
+    "embed must be none or result or force or velocity or map or cut or contact or compare, not “velocities”",
+    "sliders must be none or kappa or mu_over_alpha or gt_over_gn or damping or spin_share, not “radius_m”",
+  ]);
+});
+
 test("readAddress repeats only the beginning of a very long piece of nonsense", () => {
   const [problem] = readAddress(`?kappa=${"x".repeat(10_000)}`).problems;
   assert.ok(problem.length < 100);
@@ -185,6 +214,8 @@ test("writeAddress leaves out what is usual of the page, and holds what is not",
   const usual = readAddress("").state;
   assert.doesNotMatch(writeAddress(usual), /scene|theme|embed|method|region/);
   assert.match(writeAddress({ ...usual, theme: "dark", embed: "map" }), /&theme=dark&embed=map$/);
+  const framed = { ...usual, embed: "force,map", sliders: "kappa" };
+  assert.match(writeAddress(framed), /&embed=force,map&sliders=kappa$/);
 });
 
 test("stateAt changes what an address names and leaves the rest, but for the damping and what is set by hand", () => {
