@@ -29,6 +29,7 @@ def test_answer_holds_together(service):
     assert answer["rule"]["steps_min"] == answer["rule"]["steps_max"] == 213
 
 
+@pytest.mark.verify
 def test_region_is_answered_within_the_budget(service):
     for region in ("figure4", "stiff", "solids", "damped", "extremes"):
         response = service.affordable(lambda region=region: service.get("/steps", region=region))

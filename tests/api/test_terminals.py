@@ -88,6 +88,7 @@ def test_json_is_the_same_value_and_can_be_shown(page):
     assert not outputs("utf-8")[0][0].isascii()
 
 
+@pytest.mark.verify
 def test_signs_that_a_page_has_are_kept():
     describe, count = ["table", "--help"], [*TABLE, "3", "--format", "csv"]
     assert "Write ε_t over κ and ψ" in run("utf-8", [describe])[0][0]

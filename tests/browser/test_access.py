@@ -59,8 +59,7 @@ FOCUSED = """() => {
 # Of the paper's list, a part is looked at in test_paper_scene.py.
 EVERY_DAY = [
     (1440, "dark", "first"),
-    (390, "light", "speed and accuracy"),
-    (390, "dark", "compared, to be swept"),
+    (390, "light", "compared, to be swept"),
 ]
 
 

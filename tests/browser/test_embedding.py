@@ -11,8 +11,6 @@ from playwright.sync_api import Frame, Page, expect
 from rest import eventually, rest
 from test_access import objections
 
-from cases import every_day
-
 pytestmark = pytest.mark.browser
 
 
@@ -188,9 +186,10 @@ def test_the_builder_shows_what_it_writes(tab: Page):
     assert tab.locator(".builder iframe").count() == 0
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize(
     ("width", "scheme"),
-    every_day([(390, "dark")], of=[(390, "dark"), (1280, "light"), (1440, "dark")]),
+    [(390, "dark"), (1280, "light"), (1440, "dark")],
 )
 def test_axe_finds_nothing_to_object_to_in_the_builder_nor_in_what_it_shows(
     tab: Page, width: int, scheme: str

@@ -86,6 +86,7 @@ def letters_of_the_page() -> dict[str, str]:
     }
 
 
+@pytest.mark.verify
 def test_the_fonts_have_every_character_that_the_page_may_show():
     known = set().union(*(TTFont(font).getBestCmap() for font in FONTS))
     shown = letters_of_the_page()

@@ -48,7 +48,7 @@ BEYOND = """() => {
 }"""
 
 
-EVERY_DAY = [("de", "off", (1, 9)), ("de", "on", (5, 9))]
+EVERY_DAY = [("de", "on", (5, 9))]
 ALL_STEPS = tuple(range(len(STEPS)))
 
 

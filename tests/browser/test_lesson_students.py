@@ -251,11 +251,12 @@ def test_the_last_step_lays_its_steps_over_the_exact_force(used_tab: Page, serve
     eventually(lambda: shows(70), used_tab)
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize(
     ("width", "scheme"),
-    every_day([(390, "dark")], of=[(390, "light"), (390, "dark"), (1280, "light"), (1280, "dark")]),
+    [(390, "light"), (390, "dark"), (1280, "light"), (1280, "dark")],
 )
-@pytest.mark.parametrize("step", every_day([3], of=[2, 3]))
+@pytest.mark.parametrize("step", [2, 3])
 def test_axe_finds_nothing_to_object_to_in_a_prediction(
     used_tab: Page, width: int, scheme: str, step: int
 ):

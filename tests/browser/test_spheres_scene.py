@@ -222,6 +222,7 @@ def test_the_rest_of_the_bodies_is_folded_away_until_it_is_wanted(page: Page, se
     assert "second" not in page.url
 
 
+@pytest.mark.verify
 def test_a_normal_restitution_stands_in_for_the_dissipative_constant(page: Page, server: str):
     page.goto("/?scene=spheres&material=steel-mindlin&dissipative_constant_s=1e-6")
     material = materials(server)["steel-mindlin"]

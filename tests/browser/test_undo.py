@@ -65,6 +65,7 @@ def test_control_z_in_a_field_is_the_fields_own(tab: Page, server: str):
     assert collision_of(tab)["kappa"] == 100
 
 
+@pytest.mark.verify
 def test_the_browsers_back_goes_along_the_same_steps(tab: Page, server: str):
     visit(tab, "/?kappa=20")
     rest(tab)

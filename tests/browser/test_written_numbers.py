@@ -133,6 +133,7 @@ def test_what_is_shown_is_taken(used_tab: Page, server: str):
     assert again["kt"] == stiffness
 
 
+@pytest.mark.verify
 @pytest.mark.parametrize(("answer", "value"), [("1000", 1000.0), ("1.000", 1.0)])
 def test_a_comma_that_may_part_thousands_is_asked_about_by_keyboard(
     used_tab: Page, server: str, answer: str, value: float

@@ -102,6 +102,7 @@ def test_code_of_another_kernel_is_not_run(kept):
     assert_healed(folder, answer)
 
 
+@pytest.mark.verify
 def test_what_a_killed_writer_left_is_no_hindrance_and_goes(kept):
     folder, answer = kept
     code = files(folder, ".nbc")[0]
@@ -134,6 +135,7 @@ def test_processes_that_write_at_the_same_time_do_not_hinder_one_another(healthy
     assert_healed(tmp_path, healthy[1])
 
 
+@pytest.mark.verify
 def test_kernels_are_done_without_a_place_for_them(healthy):
     # no temporary files either
     found, lines = ask("prlimit", "--fsize=0")
@@ -229,6 +231,7 @@ def test_a_file_that_others_could_write_is_not_run(kept, tmp_path, change, reaso
     assert_healed(folder, answer)
 
 
+@pytest.mark.verify
 def test_another_folder_is_taken_for_one_that_others_could_write(kept, tmp_path):
     folder, answer = kept
     wanted = folder / "restitution" / MODEL_VERSION

@@ -47,7 +47,8 @@ def may_bind(port) -> bool:
     return True
 
 
-@pytest.mark.parametrize("when", ["starting", pytest.param("ready", marks=pytest.mark.verify)])
+@pytest.mark.verify
+@pytest.mark.parametrize("when", ["starting", "ready"])
 def test_workers_end_with_a_parent_that_is_killed(tmp_path, when):
     with starting(tmp_path, workers=2) as server:
         until(lambda: len(server.children()) == 2)

@@ -79,6 +79,7 @@ def test_kernels_are_kept_for_the_next_run(tmp_path):
     assert files(folder) == kept
 
 
+@pytest.mark.verify
 def test_kernels_in_a_read_only_folder_are_used_from_another(tmp_path):
     kept = files(run(tmp_path / "a", tmp_path / "b", tmp_path / "none"))
     for _ in range(2):
