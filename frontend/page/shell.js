@@ -5,6 +5,7 @@ import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
 import { writeAddress } from "../state/address/writing.js";
 import { copyText } from "../widgets/copy.js";
+import { setOrRemove } from "../widgets/elements.js";
 import { byTestId, find } from "../widgets/find.js";
 
 /** @typedef {import("../state/address/options.js").PageState} PageState */
@@ -108,7 +109,7 @@ export function mountShell({ present, onOption }) {
       skip.href = `#${MAIN_PARTS[scene] ?? "controls"}`;
       for (const { id, link } of links) {
         link.href = writeAddress({ ...state, scene: id, ...settingOf(id, state.step) });
-        setOrRemove(link, "aria-current", id === scene ? "page" : "", "");
+        setOrRemove(link, "aria-current", id === scene ? "page" : "");
       }
       // What led here may have gone with its scene: the keyboard goes on in this one.
       if (focused?.closest("[hidden]")) {
@@ -123,18 +124,4 @@ function languageOption({ id, name }) {
   const option = new Option(name, id);
   option.lang = id;
   return option;
-}
-
-/**
- * @param {Element} element
- * @param {string} name
- * @param {string} value
- * @param {string} usual the value for which the attribute is not there
- */
-function setOrRemove(element, name, value, usual) {
-  if (value === usual) {
-    element.removeAttribute(name);
-  } else {
-    element.setAttribute(name, value);
-  }
 }

@@ -51,9 +51,19 @@ export function toldIn(language, name, text) {
  * @param {string} language empty for that of the page
  */
 export function markLanguage(element, language) {
-  if (language) {
-    element.lang = language;
+  setOrRemove(element, "lang", language);
+}
+
+/**
+ * @param {Element} element
+ * @param {string} name of its attribute
+ * @param {string} value
+ * @param {string} [usual] the value for which the attribute is not there
+ */
+export function setOrRemove(element, name, value, usual = "") {
+  if (value === usual) {
+    element.removeAttribute(name);
   } else {
-    element.removeAttribute("lang");
+    element.setAttribute(name, value);
   }
 }

@@ -2,9 +2,7 @@
 
 import { say } from "../format/words.js";
 import { sweepOf } from "../state/sweep.js";
-
-/** Whether nothing is to move by itself. */
-export const calm = matchMedia("(prefers-reduced-motion: reduce)");
+import { calm } from "./motion.js";
 
 /**
  * Names the play button at the end of a slider.

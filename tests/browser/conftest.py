@@ -87,6 +87,8 @@ def page(
         return
     monkeypatch.setattr(kept_page, "add_init_script", refuse_script)
     yield kept_page
+    # an answer that is late would let the lesson remember it all again
+    kept_page.evaluate("() => { Storage.prototype.setItem = () => {}; }")
     leave_as_found(kept_page)
     kept_page.goto("about:blank")
 

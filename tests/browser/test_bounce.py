@@ -11,8 +11,6 @@ from lesson import LANGUAGES, LOCALES
 from playwright.sync_api import Page, Route, expect
 from rest import eventually, rest
 
-from cases import every_day
-
 pytestmark = pytest.mark.browser
 
 NUMBERS = ("angle", "speed", "spin")
@@ -218,7 +216,7 @@ WORDS_APART = """() => [...document.querySelectorAll(".bounce-view .contact:not(
 
 
 @pytest.mark.verify
-@pytest.mark.parametrize("language", every_day(["de"], of=LANGUAGES))
+@pytest.mark.parametrize("language", LANGUAGES)
 def test_the_words_in_the_contact_have_room_on_a_phone(used_tab: Page, server: str, language: str):
     used_tab.set_viewport_size({"width": 390, "height": 844})
     found: list[str] = []

@@ -5,8 +5,6 @@ from explorer import number, settle, text, visit
 from playwright.sync_api import Page, expect
 from rest import rest
 
-from cases import every_day
-
 pytestmark = pytest.mark.browser
 
 
@@ -77,7 +75,7 @@ def test_the_force_of_the_gear_wheel_is_seen(used_tab: Page, server: str):
 
 
 @pytest.mark.verify
-@pytest.mark.parametrize("kappa", every_day(["20000"], of=["20000", "2500000"]))
+@pytest.mark.parametrize("kappa", ["20000", "2500000"])
 def test_many_switches_are_told_where_they_cannot_be_drawn(used_tab: Page, server: str, kappa: str):
     visit(used_tab, f"/?kappa={kappa}&gt_over_gn=1&scale=log")
     settle(used_tab, server)

@@ -279,7 +279,7 @@ DIFFERENCE = """async ([one, other]) => {
 
 
 @pytest.mark.verify
-@pytest.mark.parametrize("panel", every_day(["force"], of=["force", "contact"]))
+@pytest.mark.parametrize("panel", ["force", "contact"])
 def test_saved_bitmaps_are_set_in_the_same_fonts(
     browser: Browser, page: Page, server: str, panel: str, tmp_path: Path
 ):

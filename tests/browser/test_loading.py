@@ -65,7 +65,7 @@ def drag(page: Page, name: str, to: tuple[float, float]) -> None:
 
 @pytest.mark.verify
 @pytest.mark.own_page
-@pytest.mark.parametrize("milliseconds", [pytest.param(100, marks=pytest.mark.verify), 500])
+@pytest.mark.parametrize("milliseconds", [100, 500])
 def test_dragging_on_a_slow_network_asks_little_and_ends_at_the_right_place(
     page: Page, server: str, milliseconds: int
 ):

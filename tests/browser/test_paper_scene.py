@@ -235,9 +235,7 @@ def test_axe_finds_nothing_to_object_to_in_the_list(used_tab: Page, width: int, 
 
 
 @pytest.mark.verify
-@pytest.mark.parametrize(
-    "panel", every_day(["collapse"], of=["collapse", "stiff_law", "switch_law"])
-)
+@pytest.mark.parametrize("panel", ["collapse", "stiff_law", "switch_law"])
 def test_a_result_beyond_the_paper_fills_its_frame(used_tab: Page, panel: str):
     used_tab.set_viewport_size({"width": 1440, "height": 700})
     visit(used_tab, f"/?embed={panel}")

@@ -4,6 +4,7 @@ import { significant, typable } from "../../format/number.js";
 import { collisionInALine } from "../../format/sentence.js";
 import { embedded, offered } from "../../state/scenes.js";
 import { writeAddress } from "../../state/address/writing.js";
+import { setOrRemove } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 
@@ -67,11 +68,7 @@ export function mountFrame({ present }) {
       const panels = embedded(state);
       const names = offered(state);
       const { one, two, wide } = layOut(panels);
-      if (panels.length > 0) {
-        root.setAttribute("data-embed", panels.join(" "));
-      } else {
-        root.removeAttribute("data-embed");
-      }
+      setOrRemove(root, "data-embed", panels.join(" "));
       root.toggleAttribute("data-locked", names !== null);
       root.style.setProperty("--rows", one);
       root.style.setProperty("--rows-of-two", two);

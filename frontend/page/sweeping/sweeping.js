@@ -5,7 +5,8 @@ import { say } from "../../format/words.js";
 import { sweepOf, sweptBy, writeSweep } from "../../state/sweep.js";
 import { make } from "../../widgets/elements.js";
 import { byTestId, find } from "../../widgets/find.js";
-import { calm, nameSweepButton } from "../../widgets/sweep-buttons.js";
+import { calm } from "../../widgets/motion.js";
+import { nameSweepButton } from "../../widgets/sweep-buttons.js";
 import { courseOf, createRun, placeAt, spanOf, stepOn } from "./course.js";
 import { createDetails } from "./details.js";
 

@@ -4,7 +4,7 @@ import { say, spokenLanguage } from "../../format/words.js";
 import { USUAL_ACCURACY } from "../../state/accuracy.js";
 import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
 import { writeAddress } from "../../state/address/writing.js";
-import { make, told } from "../../widgets/elements.js";
+import { make, setOrRemove, told } from "../../widgets/elements.js";
 import { byTestId } from "../../widgets/find.js";
 import { typeset } from "../../widgets/typeset.js";
 import { mountHandout } from "./handout.js";
@@ -201,11 +201,7 @@ export function mountOpenLesson(element, handoutElement, { set }, { record, pred
       const named = say("lesson.step", { step: number, title: say(textsOf(step).title) });
       links[i].href = writeAddress(state);
       links[i].toggleAttribute("data-done", done.includes(step));
-      if (isHere) {
-        links[i].setAttribute("aria-current", "step");
-      } else {
-        links[i].removeAttribute("aria-current");
-      }
+      setOrRemove(links[i], "aria-current", isHere ? "step" : "");
       const label = done.includes(step) ? say("lesson.stepDone", { name: named }) : named;
       links[i].setAttribute("aria-label", label);
       links[i].title = label;

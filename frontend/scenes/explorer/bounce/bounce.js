@@ -4,6 +4,7 @@ import { say } from "../../../format/words.js";
 import { significant } from "../../../format/number.js";
 import { bounceOf, sameCollision } from "../../../state/parameters.js";
 import { byTestId, find } from "../../../widgets/find.js";
+import { calm } from "../../../widgets/motion.js";
 import { clockOf, phaseAt, shareAt } from "./clock.js";
 import { contactMotion, mirrored, stateAt } from "./contact-motion.js";
 import { mountBallControls } from "./controls.js";
@@ -36,7 +37,6 @@ export function mountBounce(panel, { onShare, onOption }) {
   const numbers = mountNumbers(byTestId("bounce-numbers", panel));
   const ribbon = mountRibbon(find(".bounce-ribbon", panel));
   const controls = mountBallControls(panel, onOption);
-  const calm = matchMedia("(prefers-reduced-motion: reduce)");
   const view = mountPicture(picture, template);
 
   /** @type {import("../../../state/address/options.js").PageState | null} */
