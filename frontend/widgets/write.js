@@ -10,3 +10,15 @@ export function write(element, text) {
     element.textContent = text;
   }
 }
+
+/**
+ * Sets an attribute, unless it has that value: a picture is laid out and drawn anew for each that is set.
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ */
+export function writeAttribute(element, name, value) {
+  if (element.getAttribute(name) !== value) {
+    element.setAttribute(name, value);
+  }
+}

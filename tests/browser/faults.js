@@ -33,6 +33,19 @@
     faults.push(`wider than the window: ${document.documentElement.scrollWidth}`);
   }
 
+  // What is scrolled out of a wide table's frame is not seen.
+  const inFrame = (element, { left, top, right, bottom }) => {
+    const frame = element
+      .closest(".table-frame, .compare-frame, .reading")
+      ?.getBoundingClientRect();
+    return {
+      left: Math.max(left, frame?.left ?? left),
+      right: Math.min(right, frame?.right ?? right),
+      top,
+      bottom,
+    };
+  };
+
   // Lines of text, as high as their letters.
   const lines = [];
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
@@ -47,17 +60,17 @@
       if (right - left < 1) {
         continue;
       }
-      const box = {
+      const box = inFrame(parent, {
         left,
         right,
         top: top + 0.2 * (bottom - top),
         bottom: bottom - 0.2 * (bottom - top),
-      };
+      });
+      if (box.right - box.left < 1) {
+        continue;
+      }
       lines.push({ element: parent, box });
-      if (
-        !parent.closest(".table-frame, .compare-frame, .reading") &&
-        (left < -0.5 || right > width + 0.5)
-      ) {
+      if (box.left < -0.5 || box.right > width + 0.5) {
         say("outside of the window", parent, box);
       }
     }
@@ -66,15 +79,13 @@
     ...document.querySelectorAll("a, button, input, select, summary, [role=slider]"),
   ]
     .filter(seen)
-    // The words beside a box to tick are part of the target.
-    .map((element) => ({
-      element,
-      box: (element.matches("[type=checkbox]")
-        ? (element.closest("label") ?? element)
-        : element
-      ).getBoundingClientRect(),
-    }))
-    .filter(({ box }) => box.width > 0);
+    .map((element) => {
+      // The words beside a box to tick are part of the target.
+      const target = element.matches("[type=checkbox]") ? element.closest("label") : null;
+      const whole = (target ?? element).getBoundingClientRect();
+      return { element, whole, box: inFrame(element, whole) };
+    })
+    .filter(({ whole }) => whole.width > 0);
 
   const meet = (a, b, by = 1) =>
     Math.min(a.right, b.right) - Math.max(a.left, b.left) > by &&
@@ -93,8 +104,11 @@
     }
   });
 
-  const ONE_LINE =
-    "button, .scenes a, .segmented span, .figures > :not(.energy-lost) dt, .figures dd, .epsilon-label, .epsilon-value, .legend li, .gauge-ends span, .parameter-head label, .parameter-ticks span, .chip, .legend-tick, .accuracy-scale, .menu a, .impact-result dd, .material label";
+  const ONE_LINE = [
+    "button, .scenes a, .segmented span, .figures > :not(.energy-lost) dt, .figures dd, .epsilon-label, .epsilon-value, .legend li, .gauge-ends span, .parameter-ticks span, .chip, .legend-tick, .accuracy-scale, .menu a, .impact-result dd, .material label",
+    // Other languages have names of parameters that take two.
+    ...(document.documentElement.lang === "en" ? [".parameter-head label"] : []),
+  ].join(", ");
   for (const element of document.querySelectorAll(ONE_LINE)) {
     const style = getComputedStyle(element);
     const { paddingTop, paddingBottom, lineHeight, fontSize } = style;
@@ -121,6 +135,24 @@
     }
   }
 
+  // Panels stand beside or below each other, and end after what is in them.
+  const panels = [...document.querySelectorAll("[data-panel]")]
+    .filter(seen)
+    .map((element) => ({ element, box: element.getBoundingClientRect() }));
+  panels.forEach(({ element, box }, i) => {
+    for (const { element: other, box: otherBox } of panels.slice(i + 1)) {
+      if (meet(box, otherBox) && !element.contains(other)) {
+        say("overlap:", element, box, other, otherBox);
+      }
+    }
+    const ends = [...element.querySelectorAll(".plot")]
+      .filter(seen)
+      .map((plot) => plot.getBoundingClientRect().bottom);
+    if (Math.max(...ends, box.top) > box.bottom + 1) {
+      say("ends before its picture:", element, box);
+    }
+  });
+
   // Choices of a picture are all beside its title or all below it.
   for (const group of document.querySelectorAll(".choices")) {
     const title = group.parentElement.querySelector("h2").getBoundingClientRect();
@@ -130,7 +162,7 @@
     }
   }
 
-  for (const { element, box } of controls) {
+  for (const { element, whole: box } of controls) {
     if (
       element.matches("input:not([type=range]), select") &&
       !element.matches("[type=radio], [type=checkbox]")

@@ -5,6 +5,8 @@ import { significant } from "../../../format/number.js";
 import { bounceOf, sameCollision } from "../../../state/parameters.js";
 import { byTestId, find } from "../../../widgets/find.js";
 import { calm } from "../../../widgets/motion.js";
+import { afterNextFrame } from "../../../widgets/painted.js";
+import { writeAttribute } from "../../../widgets/write.js";
 import { clockOf, phaseAt, shareAt } from "./clock.js";
 import { contactMotion, mirrored, stateAt } from "./contact-motion.js";
 import { mountBallControls } from "./controls.js";
@@ -72,11 +74,11 @@ export function mountBounce(panel, { onShare, onOption }) {
     initial: 1,
   });
 
-  /** Once a frame, whatever has changed. */
+  /** Once a frame, whatever has changed: the next one, for the numbers and curves of this one go first. */
   function redraw() {
     if (!isWaiting) {
       isWaiting = true;
-      requestAnimationFrame(() => {
+      afterNextFrame(() => {
         isWaiting = false;
         draw();
       });
@@ -158,9 +160,7 @@ export function mountBounce(panel, { onShare, onOption }) {
   function describe() {
     if (motions && !playback.isPlaying()) {
       const words = [bounceInWords(motions), sentence].join(" ").trim();
-      if (picture.getAttribute("aria-label") !== words) {
-        picture.setAttribute("aria-label", words);
-      }
+      writeAttribute(picture, "aria-label", words);
     }
   }
 
@@ -183,6 +183,9 @@ export function mountBounce(panel, { onShare, onOption }) {
     const unit = Number.parseFloat(getComputedStyle(stage).fontSize) / 12;
     size = { width: contentRect.width / unit, height: contentRect.height / unit };
     picture.setAttribute("viewBox", `0 0 ${size.width} ${size.height}`);
+    // Not by shares of the stage, whose height the browser tries twice whenever a number of the page changes.
+    picture.setAttribute("width", String(contentRect.width));
+    picture.setAttribute("height", String(contentRect.height));
     showClock();
     redraw();
   }).observe(stage);

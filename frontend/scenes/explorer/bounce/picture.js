@@ -76,8 +76,7 @@ export function mountPicture(picture, template) {
         shown.map((each) => each.size.width),
         size.height,
       );
-      shown.forEach((each, i) => views[i].drawCourse(each));
-      shown.forEach((each, i) => views[i].drawInstant(each));
+      shown.forEach((each, i) => views[i].draw(each));
     },
 
     /** The same at another instant. @param {Phase} phase */

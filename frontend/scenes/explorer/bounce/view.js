@@ -3,7 +3,7 @@
 import { say } from "../../../format/words.js";
 import { brief, significant } from "../../../format/number.js";
 import { find } from "../../../widgets/find.js";
-import { write } from "../../../widgets/write.js";
+import { write, writeAttribute } from "../../../widgets/write.js";
 import { cameraAt, closenessAt, timeOf } from "./clock.js";
 import { contactScene } from "./contact-drawing.js";
 import { angleOf } from "./motions.js";
@@ -41,20 +41,23 @@ export function mountView(picture, template) {
   views += 1;
   bodies.id = `bodies-${views}`;
   body.id = `body-${views}`;
-  other.setAttribute("href", `#${bodies.id}`);
+  writeAttribute(other, "href", `#${bodies.id}`);
+
+  let isCourseDrawn = false;
 
   /** What does not change while the clock goes. @param {Shown} shown */
   function drawCourse({ course, isWall, size }) {
+    isCourseDrawn = true;
     const { radius, ground, touches } = course;
-    path.setAttribute("d", course.path);
+    writeAttribute(path, "d", course.path);
     fill(ghosts, course.ghosts, "use", (element, ghost) => {
-      element.setAttribute("href", `#${body.id}`);
-      element.setAttribute("transform", standing(ghost, radius));
+      writeAttribute(element, "href", `#${body.id}`);
+      writeAttribute(element, "transform", standing(ghost, radius));
     });
     wall.toggleAttribute("hidden", !isWall);
     place(wall, { x: -9 * size.width, y: ground, width: 19 * size.width, height: 9 * size.height });
     other.toggleAttribute("hidden", isWall);
-    other.setAttribute("transform", `rotate(180,${touches[0]},${ground})`);
+    writeAttribute(other, "transform", `rotate(180,${touches[0]},${ground})`);
     drawMarks(course);
   }
 
@@ -70,39 +73,47 @@ export function mountView(picture, template) {
   }
 
   /** Where the clock stands. @param {Shown} shown */
-  function drawInstant({ course, contacts, isWall, phase, size }) {
+  function drawInstant(shown) {
+    const { course, contacts, isWall, phase, size } = shown;
     const times = contacts.length;
     const { closeness, touch, isEnd } = closenessAt(phase, times);
     const motion = contacts[touch];
     const scene =
       motion &&
       contactScene(motion, phase.kind === "contact" ? phase.progress : Number(isEnd), size, isWall);
-    const isFlying = phase.kind === "flight";
-    const at = isFlying
-      ? course.at(phase.index, timeOf(phase.progress, phase.index, times))
-      : course.at(phase.index, 1);
-    ball.setAttribute("transform", standing(at, course.radius));
     const close = scene && { x: scene.anchor.x, y: scene.ground, radius: scene.radius };
     const camera = close ? cameraAt(course, touch, close, closeness) : STILL;
-    flight.setAttribute("transform", camera.transform);
-    arounds.forEach((around) => show(around, camera.around));
     show(flight, camera.contact < 1 ? 1 : 0);
     show(contact, camera.contact);
+    if (camera.contact < 1) {
+      if (!isCourseDrawn) {
+        drawCourse(shown);
+      }
+      const isFlying = phase.kind === "flight";
+      const at = course.at(phase.index, isFlying ? timeOf(phase.progress, phase.index, times) : 1);
+      writeAttribute(ball, "transform", standing(at, course.radius));
+      writeAttribute(flight, "transform", camera.transform);
+      arounds.forEach((around) => show(around, camera.around));
+    }
     if (scene && camera.contact > 0) {
       contactPart.draw(scene, size);
     }
-    return scene;
   }
 
   return {
     element: view,
-    drawCourse,
     drawInstant,
+
+    /** All of it; of a flight that the contact hides only once it shows. @param {Shown} shown */
+    draw(shown) {
+      isCourseDrawn = false;
+      drawInstant(shown);
+    },
 
     /** Its place in the whole picture. @param {number} x @param {import("./course.js").Size} size */
     lay(x, { width, height }) {
       place(view, { x, y: 0, width, height });
-      view.setAttribute("viewBox", `0 0 ${width} ${height}`);
+      writeAttribute(view, "viewBox", `0 0 ${width} ${height}`);
     },
   };
 }
@@ -113,11 +124,11 @@ export function mountView(picture, template) {
  */
 function drawMark(element, mark) {
   if ("path" in mark) {
-    element.setAttribute("class", `mark-${mark.name}`);
-    element.setAttribute("d", mark.path);
+    writeAttribute(element, "class", `mark-${mark.name}`);
+    writeAttribute(element, "d", mark.path);
   } else {
-    element.setAttribute("class", "mark-angle");
-    element.setAttribute("text-anchor", mark.isLeft ? "end" : "start");
+    writeAttribute(element, "class", "mark-angle");
+    writeAttribute(element, "text-anchor", mark.isLeft ? "end" : "start");
     place(element, { x: mark.x, y: mark.y + 4 });
     write(element, mark.text);
   }
@@ -152,17 +163,17 @@ function contactParts(part) {
     draw(scene, size) {
       const { x, y, width } = scene.shoe;
       group.dataset.regime = scene.regime;
-      ball.setAttribute("d", scene.ball);
+      writeAttribute(ball, "d", scene.ball);
       wall.toggleAttribute("hidden", scene.other !== "");
-      wall.setAttribute("y", String(scene.ground));
-      other.setAttribute("d", scene.other);
-      spring.setAttribute("d", scene.spring);
+      writeAttribute(wall, "y", String(scene.ground));
+      writeAttribute(other, "d", scene.other);
+      writeAttribute(spring, "d", scene.spring);
       place(anchor, { cx: scene.anchor.x, cy: scene.anchor.y });
       place(shoe, { x: x - width / 2, y });
-      teeth.setAttribute("transform", `translate(${x.toFixed(2)},${scene.ground})`);
+      writeAttribute(teeth, "transform", `translate(${x.toFixed(2)},${scene.ground})`);
       const { normalArrow, tangentialArrow } = scene;
-      arrows.normal.setAttribute("d", normalArrow.path);
-      arrows.tangential.setAttribute("d", tangentialArrow.path);
+      writeAttribute(arrows.normal, "d", normalArrow.path);
+      writeAttribute(arrows.tangential, "d", tangentialArrow.path);
       labels.normal.toggleAttribute("hidden", normalArrow.path === "");
       labels.tangential.toggleAttribute("hidden", tangentialArrow.path === "");
       // Each on its own side, so that they are apart where the forces are small.
@@ -173,7 +184,7 @@ function contactParts(part) {
         y: tangentialArrow.tip.y + 4,
       });
       fill(trackGroup, scene.tracks, "line", (line, { regime, from, to, y: depth }) => {
-        line.setAttribute("class", regime);
+        writeAttribute(line, "class", regime);
         place(line, { x1: from, x2: to, y1: depth, y2: depth });
       });
       const regime = say(REGIME_KEYS[scene.regime]);
@@ -187,7 +198,7 @@ function contactParts(part) {
       place(chip, { y: size.height - 28, width: chipWidth });
       place(word, { x: 8 + chipWidth / 2, y: size.height - 14 });
       const isBeside = chipWidth + LETTER * drawn.length + 26 <= size.width;
-      enlarged.setAttribute("text-anchor", isBeside ? "end" : "middle");
+      writeAttribute(enlarged, "text-anchor", isBeside ? "end" : "middle");
       place(enlarged, {
         x: isBeside ? size.width - 10 : size.width / 2,
         y: isBeside ? size.height - 10 : 11,
@@ -232,7 +243,7 @@ function standing({ x, y, turn }, radius) {
 /** @param {HTMLElement} element @param {number} opacity */
 function show(element, opacity) {
   element.toggleAttribute("hidden", opacity === 0);
-  element.setAttribute("opacity", opacity.toFixed(3));
+  writeAttribute(element, "opacity", opacity.toFixed(3));
 }
 
 /**
@@ -241,6 +252,6 @@ function show(element, opacity) {
  */
 function place(element, attributes) {
   for (const [name, value] of Object.entries(attributes)) {
-    element.setAttribute(name, value.toFixed(2));
+    writeAttribute(element, name, value.toFixed(2));
   }
 }
