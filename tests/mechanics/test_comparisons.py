@@ -21,7 +21,7 @@ def functions() -> dict[str, ast.FunctionDef]:
     """Those of the mechanics, by module and name."""
     return {
         f"{path.stem}.{node.name}": node
-        for path in FOLDER.glob("*.py")
+        for path in FOLDER.rglob("*.py")
         for node in ast.parse(path.read_text()).body
         if isinstance(node, ast.FunctionDef)
     }
@@ -36,7 +36,7 @@ def reached() -> dict[str, ast.FunctionDef]:
     """The functions that a collision goes through; of two of one name, both."""
     known = functions()
     found: dict[str, ast.FunctionDef] = {}
-    ahead = ["collision._collide_each"]
+    ahead = ["collision._collide_each", "collision._collide_in_lanes"]
     while ahead:
         name = ahead.pop()
         if name not in found:

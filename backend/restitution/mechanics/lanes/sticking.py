@@ -1,0 +1,138 @@
+"""Sticking in lanes, from the falling cap to the next one: κz is that of a free harmonic."""
+
+import math
+
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.hertz import HALF_CONTACT_ROOT, FloatArray, normal_motion
+from restitution.mechanics.lanes.elementary import halley, sine_and_cosine
+from restitution.mechanics.lanes.rows import (
+    BEGIN,
+    DOUBT,
+    FORCE,
+    LOSS,
+    OMEGA,
+    PULL,
+    ROOT,
+    SIDE,
+    TOWARDS,
+    Q,
+)
+from restitution.mechanics.lanes.sliding import SHORT, arrive, is_last
+
+
+@compiled
+def stick_in_decompression(count: int, lanes: FloatArray) -> None:
+    """Move `count` lanes from the cap to the next one, on the other side, after z = 0.
+
+    docs/model.md, "Events without search", Sticking 4.
+    """
+    for i in range(count):
+        omega, q, root = lanes[OMEGA + i], lanes[Q + i], lanes[ROOT + i]
+        left = q * q
+        # seen from the side to which the spring goes
+        lanes[FORCE + i] = -root * root * root
+        lanes[PULL + i] = 1.5 * root * (1.0 - lanes[LOSS + i]) / omega
+        lanes[BEGIN + i] = left
+        lanes[SIDE + i] = -lanes[SIDE + i]
+        phase = guessed_phase(omega * left, left * left * q)
+        lanes[Q + i] = q * math.sqrt(max(0.03, 1.0 - phase / (omega * left)))
+    for i in range(count):
+        q = lanes[Q + i]
+        root, loss = normal_motion(q)
+        spring, moving = spring_at(i, lanes, q)
+        step, _ = step_to_cap(lanes[OMEGA + i], q, root, loss, spring, moving)
+        lanes[Q + i] = min(max(q - step, 0.5 * q), HALF_CONTACT_ROOT)
+    for i in range(count):
+        q = lanes[Q + i]
+        root, loss = normal_motion(q)
+        spring, moving = spring_at(i, lanes, q)
+        step, change = step_to_cap(lanes[OMEGA + i], q, root, loss, spring, moving)
+        meet_cap(i, lanes, q, step, change, spring, moving)
+        arrive(i, lanes, q, root, loss, step)
+
+
+@compiled
+def spring_at(i: int, lanes: FloatArray, q: float) -> tuple[float, float]:
+    """Return κz and κu/ω of lane i, which sticks, at q in the decompression."""
+    sine, cosine = sine_and_cosine(lanes[OMEGA + i] * (lanes[BEGIN + i] - q * q))
+    force, pull = lanes[FORCE + i], lanes[PULL + i]
+    return force * cosine + pull * sine, pull * cosine - force * sine
+
+
+@compiled
+def step_to_cap(
+    omega: float, q: float, root: float, loss: float, spring: float, moving: float
+) -> tuple[float, float]:
+    """Return `halley` for x^{3/2} = κz in the decompression; `moving` is κu/ω."""
+    rate = 1.0 - loss
+    square = root * root
+    value = square * root - spring
+    # derivatives by the time that is left, of which dt = 2q dq makes those by q
+    growth = 1.5 * root * rate + omega * moving
+    bend = 0.75 * rate * rate / root - 1.5 * square * square + omega * omega * spring
+    return halley(value, 2.0 * q * growth, 2.0 * growth + 4.0 * q * q * bend)
+
+
+@compiled
+def meet_cap(
+    i: int,
+    lanes: FloatArray,
+    q: float,
+    step: float,
+    change: float,
+    spring: float,
+    moving: float,
+) -> None:
+    """Give lane i the velocity at q − `step`, by Taylor's series from κz and κu/ω at q."""
+    omega = lanes[OMEGA + i]
+    phase = omega * (2.0 * q - step) * step
+    lanes[TOWARDS + i] = (moving - phase * (spring + 0.5 * phase * moving)) / omega
+    is_there = is_last(q, step, change) and abs(phase) <= SHORT
+    lanes[DOUBT + i] += 0.0 if is_there else 1.0
+
+
+@compiled
+def guessed_phase(phase: float, fifth: float) -> float:
+    """Return about the phase √κ Δt for which a spring sticks that begins so on the falling cap.
+
+    `phase` is √κ times the time that is left, `fifth` its root to the fifth power. A fit to
+    `switching.sticking_end_in_decompression` for κ = 0.1 … 10⁵.
+    """
+    m = 1.0 / math.sqrt(1.0 + phase)
+    constant = 12.707659372350655
+    constant = constant * m - 77.47799254425561
+    constant = constant * m + 164.25983476572432
+    constant = constant * m - 158.5014484199596
+    constant = constant * m + 76.27874892576425
+    constant = constant * m - 25.843171735366035
+    constant = constant * m + 10.718631693656373
+    constant = constant * m - 3.0253405398350095
+    constant = constant * m + 3.131956899389598
+    linear = -208.75414513210808
+    linear = linear * m + 755.3928020613184
+    linear = linear * m - 1100.2969161293101
+    linear = linear * m + 823.8200065521431
+    linear = linear * m - 338.4899020118468
+    linear = linear * m + 76.3391682279499
+    linear = linear * m - 8.482822304510172
+    linear = linear * m + 0.6963430942154121
+    linear = linear * m + 0.020046450065066796
+    square = 234.12265174444397
+    square = square * m - 779.5277207488886
+    square = square * m + 1049.0749973170336
+    square = square * m - 737.9030196902683
+    square = square * m + 293.2353213347836
+    square = square * m - 66.12798637429442
+    square = square * m + 7.922232186220811
+    square = square * m - 0.3463168804251525
+    square = square * m - 0.01098533688073533
+    cube = -69.47903498943201
+    cube = cube * m + 217.49259954307885
+    cube = cube * m - 274.9036397759563
+    cube = cube * m + 183.07995268157828
+    cube = cube * m - 69.69571344556843
+    cube = cube * m + 15.410554409212512
+    cube = cube * m - 1.968468323959825
+    cube = cube * m + 0.12936685400713296
+    cube = cube * m + 0.0015759563386229017
+    return phase / (phase + 3.0) * (constant + fifth * (linear + fifth * (square + fifth * cube)))

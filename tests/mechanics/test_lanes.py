@@ -1,0 +1,148 @@
+"""Collisions in lanes are those of `follow`, wherever one looks, and never depend on each other."""
+
+import math
+
+import numpy as np
+import pytest
+
+from restitution.mechanics import collision
+from restitution.mechanics.collision import MOST_SWITCHES, Collision, collide
+from restitution.mechanics.compiled import compiled
+from restitution.mechanics.contact import ELASTIC
+from restitution.mechanics.lanes import elementary
+from restitution.mechanics.lanes.block import SOFTEST, STIFFEST, WEAKEST, collide_block
+from restitution.mechanics.lanes.rows import BLOCK, work_space
+from restitution.mechanics.switching import MONOTONE_STIFFNESS
+
+PARTS = 200_000
+
+
+def followed(kappa, psi):
+    """One after the other."""
+    found = Collision(
+        np.empty(kappa.size),
+        np.empty(kappa.size, np.int32),
+        np.empty(kappa.size, np.bool_),
+        np.empty(kappa.size),
+    )
+    collision._collide_each(ELASTIC, float(MOST_SWITCHES), kappa, psi, *found)
+    return found
+
+
+def log_uniform(random, low, high, count=PARTS):
+    return np.exp(random.uniform(math.log(low), math.log(high), count))
+
+
+def figure_4(random):
+    return random.uniform(0.1, 70.0, PARTS), random.uniform(0.01, 4.0, PARTS) / 1.4
+
+
+def ordinary(random):
+    return log_uniform(random, 0.01, 1e5), random.uniform(0.0, 2.5, PARTS)
+
+
+def soft(random):
+    return log_uniform(random, SOFTEST, 2.0), random.uniform(0.0, 3.0, PARTS)
+
+
+def weak(random):
+    return log_uniform(random, 1.0, 1e4), log_uniform(random, 1e-6, 2.0)
+
+
+def at_the_edges(random):
+    """A few units in the last place beside the ends of what lanes take, and of the regimes."""
+    kappa = random.choice([SOFTEST, MONOTONE_STIFFNESS, 2.0, 63.0, STIFFEST], PARTS)
+    psi = random.choice([WEAKEST, 1.0, 2.0, 0.3, 1.7], PARTS)
+    return tuple(a * (1.0 + 2.3e-16 * random.integers(-4, 5, PARTS)) for a in (kappa, psi))
+
+
+def next_to_borders(random, farthest=-2.0):
+    """At 1e-17 … 10^farthest of ψ from a change of the number of switches, found by halving."""
+    kappa = log_uniform(random, SOFTEST, STIFFEST)
+    low = log_uniform(random, WEAKEST, 1.9)
+    high = np.minimum(1.999, low * 1.1)
+    below, above = (collide(kappa, psi).switches for psi in (low, high))
+    kappa, low, high, below = (a[below != above] for a in (kappa, low, high, below))
+    for _ in range(53):
+        middle = np.sqrt(low * high)
+        same = collide(kappa, middle).switches == below
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    away = 10 ** random.uniform(-17.0, farthest, low.size) * random.choice([-1, 1], low.size)
+    return kappa, low * (1.0 + away)
+
+
+def assert_as_followed(kappa, psi):
+    found, true = collide(kappa, psi), followed(kappa, psi)
+    assert np.array_equal(found.error_bound, true.error_bound)
+    assert np.all(np.abs(found.epsilon_t - true.epsilon_t) <= true.error_bound)
+    # certain in lanes, certain for whoever looks twice
+    assert not np.any(found.switches_certain & ~true.switches_certain)
+    assert np.array_equal(
+        found.switches[found.switches_certain], true.switches[found.switches_certain]
+    )
+
+
+SAMPLES = [figure_4, ordinary, soft, weak, at_the_edges, next_to_borders]
+
+
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_lanes_are_as_followed(sample):
+    assert_as_followed(*sample(np.random.default_rng(11)))
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_millions_in_lanes_are_as_followed(sample):
+    for seed in range(10):
+        assert_as_followed(*sample(np.random.default_rng(seed)))
+
+
+def test_what_becomes_of_a_lane_does_not_depend_on_the_others():
+    kappa, psi = (a[:20_000] for a in ordinary(np.random.default_rng(3)))
+    together = collide(kappa, psi)
+    order = np.random.default_rng(4).permutation(kappa.size)
+    for column, shuffled in zip(together, collide(kappa[order], psi[order]), strict=True):
+        assert np.array_equal(column[order], shuffled)
+    for i in range(0, kappa.size, 500):
+        alone = collide(kappa[i], psi[i])
+        assert [column[i] for column in together] == list(alone)
+
+
+@compiled
+def left_of(kappa, psi, bound, lanes, labels, epsilon_t, switches):
+    return collide_block(0, kappa.size, kappa, psi, bound, lanes, labels, epsilon_t, switches)
+
+
+def test_few_leave_where_lanes_are_meant():
+    random = np.random.default_rng(5)
+    left = 0
+    for _ in range(100):
+        kappa = log_uniform(random, MONOTONE_STIFFNESS, STIFFEST, BLOCK)
+        psi = random.uniform(WEAKEST, 2.0, BLOCK)
+        bound = np.full(BLOCK, 4e-15)
+        outputs = np.empty(BLOCK), np.empty(BLOCK, np.int32)
+        left += left_of(kappa, psi, bound, *work_space(), *outputs)
+    assert left <= 100 * BLOCK / 200
+
+
+@compiled
+def evaluated(arguments, values):
+    for i in range(arguments.size):
+        x = arguments[i]
+        values[0, i], values[1, i] = elementary.sine_and_cosine(x)
+        values[2, i] = elementary.cube_root(x)
+        values[3, i] = elementary.fifth_root(x)
+        values[4, i] = elementary.arctangent(x, 1.0)
+
+
+def test_elementary_functions():
+    x = np.concatenate([np.geomspace(1e-12, 10.0, 100_001), np.linspace(0.0, 1e5, 100_001)[1:]])
+    values = np.empty((5, x.size))
+    evaluated(x, values)
+    small = x <= 10.0
+    assert np.max(np.abs(values[0] - np.sin(x))) <= 3e-16
+    assert np.max(np.abs(values[1] - np.cos(x))) <= 3e-16
+    assert np.max(np.abs(values[2] / np.cbrt(x) - 1.0)[small]) <= 1e-8
+    assert np.max(np.abs(values[3] / x**0.2 - 1.0)[small]) <= 6e-2
+    assert np.max(np.abs(values[3] / x**0.2 - 1.0)[small & (x >= 0.1)]) <= 1e-3
+    assert np.max(np.abs(values[4] - np.arctan(x))) <= 1e-9
