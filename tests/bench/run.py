@@ -22,6 +22,7 @@ from record import RUNS, median, report
 from solver import solve_with_events
 
 from restitution.mechanics import collision, contact, damped_normal_motion
+from restitution.mechanics.lanes.rows import work_space
 from restitution.methods import planner, table
 from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
@@ -36,32 +37,53 @@ SLOW_MILLISECONDS = 50
 MOST_SWITCHES = float(collision.MOST_SWITCHES)
 
 
-def kernel(kappa: np.ndarray, tangential: np.ndarray) -> dict[str, float]:
-    """Return µs of thread CPU per collision over a map at μ/α = 1.4, one thread."""
-    kappas, psis = (a.ravel() for a in np.meshgrid(kappa, tangential / 1.4))
+def kernel(kappa: np.ndarray, psi: np.ndarray) -> dict[str, float]:
+    """Return µs of thread CPU per collision, one after the other and in lanes, one thread."""
     outputs = (
-        np.empty(kappas.size),
-        np.empty(kappas.size, np.int32),
-        np.empty(kappas.size, np.bool_),
-        np.empty(kappas.size),
+        np.empty(kappa.size),
+        np.empty(kappa.size, np.int32),
+        np.empty(kappa.size, np.bool_),
+        np.empty(kappa.size),
     )
-    seconds = median(
-        lambda: collision._collide_each(contact.ELASTIC, MOST_SWITCHES, kappas, psis, *outputs)
-    )
-    return {"µs": 1e6 * seconds / kappas.size, "mean switches": float(outputs[1].mean())}
+    run = contact.ELASTIC, MOST_SWITCHES, kappa, psi, *outputs
+    alone = median(lambda: collision._collide_each(*run))
+    in_lanes = median(lambda: collision._collide_in_lanes(*run, *work_space()))
+    return {
+        "alone": 1e6 * alone / kappa.size,
+        "in lanes": 1e6 * in_lanes / kappa.size,
+        "ratio": alone / in_lanes,
+        "switches": float(outputs[1].mean()),
+    }
+
+
+def plane(kappa: np.ndarray, tangential: np.ndarray) -> list[np.ndarray]:
+    """Return κ and ψ of a map at μ/α = 1.4."""
+    return [axis.ravel() for axis in np.meshgrid(kappa, tangential / 1.4)]
 
 
 def kernels() -> dict[str, float]:
     """Return the costs of mechanics and studies."""
-    linear = kernel(np.linspace(0.1, 70, 500), np.linspace(0.01, 4, 500))
-    log = kernel(np.geomspace(0.1, 70, 500), np.geomspace(0.01, 4, 500))
+    rng = np.random.default_rng(2008)
+    grid = plane(np.linspace(0.1, 70, 500), np.linspace(0.01, 4, 500))
+    order = rng.permutation(grid[0].size)
+    stiff = np.exp(rng.uniform(np.log(70.0), np.log(1e4), 100_000))
+    figures = {
+        name: kernel(*collisions)
+        for name, collisions in {
+            "linear grid": grid,
+            "shuffled": [axis[order] for axis in grid],
+            "log grid": plane(np.geomspace(0.1, 70, 500), np.geomspace(0.01, 4, 500)),
+            "κ 70…10⁴": [stiff, rng.uniform(0.01, 2.0, stiff.size)],
+        }.items()
+    }
     axes = Axis(0.1, 70, 300), Axis(0.01, 4, 200)
     one = CollisionParameters(63.0, 1.4, 1.358)
     trace = median(lambda: study_trace(one, Options(), 400), 101)
     return {
-        "collision, linear grid, µs CPU": linear["µs"],
-        "collision, log grid, µs CPU": log["µs"],
-        "switches per collision, linear grid": linear["mean switches"],
+        **{f"collision, {name}, µs CPU": each["alone"] for name, each in figures.items()},
+        **{f"in lanes, {name}, µs CPU": each["in lanes"] for name, each in figures.items()},
+        **{f"alone over in lanes, {name}": each["ratio"] for name, each in figures.items()},
+        "switches per collision, linear grid": figures["linear grid"]["switches"],
         "map 300×200, ms wall, all cores": 1e3
         * median(lambda: study_grid(*axes, 1.4), clock=time.perf_counter),
         "trace of 400 samples, ms CPU": 1e3 * trace,

@@ -4,15 +4,20 @@ import math
 
 import numpy as np
 import pytest
+from fit_guesses import phases
 
 from restitution.mechanics import collision
 from restitution.mechanics.collision import MOST_SWITCHES, Collision, collide
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import ELASTIC
+from restitution.mechanics.hertz import HALF_CONTACT_ROOT, normal_motion
 from restitution.mechanics.lanes import elementary
 from restitution.mechanics.lanes.block import SOFTEST, STIFFEST, WEAKEST, collide_block
+from restitution.mechanics.lanes.first_sticking import fall_ratio
 from restitution.mechanics.lanes.rows import BLOCK, work_space
-from restitution.mechanics.switching import MONOTONE_STIFFNESS
+from restitution.mechanics.lanes.sliding import largest_reach
+from restitution.mechanics.lanes.sticking import guessed_phase
+from restitution.mechanics.switching import MONOTONE_STIFFNESS, slip_extremum, slip_reach
 
 PARTS = 200_000
 
@@ -146,3 +151,19 @@ def test_elementary_functions():
     assert np.max(np.abs(values[3] / x**0.2 - 1.0)[small]) <= 6e-2
     assert np.max(np.abs(values[3] / x**0.2 - 1.0)[small & (x >= 0.1)]) <= 1e-3
     assert np.max(np.abs(values[4] - np.arctan(x))) <= 1e-9
+
+
+def test_guesses_are_as_good_as_they_say():
+    q = np.linspace(1e-3, HALF_CONTACT_ROOT, 1001)
+    root, loss = np.array([normal_motion(each) for each in q]).T
+    ratio = np.array([fall_ratio(rate) for rate in 1.0 - loss])
+    assert np.max(np.abs(ratio * root / q - 1.0)) <= 1.3e-6
+    phase, fifth, stuck = phases()
+    guess = np.array([guessed_phase(*each) for each in zip(phase, fifth, strict=True)])
+    there, guessed = (np.sqrt(1.0 - each / phase) for each in (stuck, guess))
+    assert np.max(np.abs(guessed / there - 1.0)) <= 1.5e-3
+
+
+@pytest.mark.parametrize("kappa", [1e-3, 0.3, 0.570102, 1.0, 1.5, MONOTONE_STIFFNESS - 1e-12])
+def test_largest_reach_of_a_soft_spring(kappa):
+    assert largest_reach(kappa) == pytest.approx(slip_reach(kappa, slip_extremum(kappa)), rel=1e-9)

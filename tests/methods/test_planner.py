@@ -74,7 +74,7 @@ def test_auto_reads_the_table_for_many_and_follows_a_few():
 @pytest.mark.parametrize("tolerance", [10.0**-n for n in range(1, 13)])
 def test_auto_keeps_every_tolerance_where_the_table_takes_part(tolerance):
     rng = np.random.default_rng(4)
-    kappa, psi = 10 ** rng.uniform(-3, 5, 40_000), 10 ** rng.uniform(-4, 3, 40_000)
+    kappa, psi = 10 ** rng.uniform(-3, 4, 100_000), 10 ** rng.uniform(-4, 3, 100_000)
     answer = solve(kappa, psi, ("epsilon_t",), tolerance=tolerance)
     truth = collide(kappa, psi)
     distance = np.abs(answer.epsilon_t - truth.epsilon_t)

@@ -45,6 +45,12 @@ NEGLIGIBLE = 1e-100
 FAINT = 1e-9
 """Force of a spring that the cap meets within the last thousandth of the contact."""
 
+SLOW = 0.1
+"""√κ of a spring that hardly moves while the cap falls through it."""
+
+SOFTEST_EXTREMUM = 0.8327964596497018
+"""q of the largest reach for κ → 0, where x^{5/2} = 5/14."""
+
 LINEAR = 1e-30
 """Below it R is 1.5 q: the rest, about κq⁵, is below 1e-90 of it where collisions are followed."""
 
@@ -97,7 +103,7 @@ def slip_extremum(kappa: float) -> float:
     There r = 0, that is κx² + 3/4 − (21/10) x^{5/2} = 0 in √x.
     """
     low, high = 0.0, HALF_CONTACT_ROOT
-    q = 0.9
+    q = SOFTEST_EXTREMUM + 0.11 * kappa
     for n in range(MOST_STEPS):
         root, loss = normal_motion(q)
         fourth = root * root * root * root
@@ -316,10 +322,11 @@ def cap_contact(
     sense = -1.0 if decompressing else 1.0
     v0 = omega * u0
     q = high
-    if decompressing and p0 + v0 * min(omega, 1.0) < FAINT:
-        # Newton's method would be long on its way to a root that small
+    if decompressing and (omega < SLOW or p0 + v0 * min(omega, 1.0) < FAINT):
+        # the force at the end of the contact is about that at the meeting, and q its cube root;
+        # Newton's method would be long on its way from the middle of the contact
         last = side * (p0 * math.cos(omega * origin) + v0 * math.sin(omega * origin))
-        q = min(max(low, max(last, 0.0) ** (1.0 / 3.0)), high)
+        q = min(max(low, max(last, 0.0) ** (1.0 / 3.0), 0.5 * NEGLIGIBLE), high)
     for n in range(MOST_STEPS):
         root, loss = normal_motion(q)
         angle = omega * (origin + sense * q * q)

@@ -11,6 +11,7 @@ from restitution.mechanics.collision import (
     expected_switch_counts,
 )
 from restitution.mechanics.hertz import FloatArray
+from restitution.mechanics.lanes.block import STIFFEST
 from restitution.methods.answer import Answer
 from restitution.methods.options import Options
 
@@ -19,6 +20,9 @@ MOST_SWITCHES_PER_REQUEST = 20_000_000
 
 SECONDS_FOR_A_SWITCH = 2e-7
 
+SECONDS_IN_LANES = 5e-8
+"""The same of many collisions at a time that lanes take."""
+
 DEARER_BY_DAMPING = 4.0
 """Cost of a switch with damping over one without, rounded up from 3.5."""
 
@@ -26,8 +30,11 @@ DEARER_BY_DAMPING = 4.0
 def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     """Return about how many seconds of one core it takes to follow collisions (N,)."""
     expected = expected_switch_counts(kappa, psi, damping)
-    switches = float(np.sum(expected[expected <= MOST_SWITCHES]))
-    return SECONDS_FOR_A_SWITCH * switches * (DEARER_BY_DAMPING if damping else 1.0)
+    switches = np.where(expected <= MOST_SWITCHES, expected, 0.0)
+    if damping:
+        return SECONDS_FOR_A_SWITCH * DEARER_BY_DAMPING * float(switches.sum())
+    seconds = np.where(kappa <= STIFFEST, SECONDS_IN_LANES, SECONDS_FOR_A_SWITCH)
+    return float(np.sum(seconds * switches))
 
 
 def budget(looked_at: int, damping: float, share: float = 1.0) -> float:
