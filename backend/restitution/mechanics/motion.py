@@ -12,7 +12,13 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.errors import CostError, ParameterError
-from restitution.mechanics.collision import EPISODE, MOST_SWITCHES, follow, within_reach
+from restitution.mechanics.collision import (
+    EPISODE,
+    MOST_SWITCHES,
+    epsilon_in_lanes,
+    follow,
+    within_reach,
+)
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import (
     Contact,
@@ -23,6 +29,7 @@ from restitution.mechanics.contact import (
     expected_switches,
     rounding_bound,
 )
+from restitution.mechanics.elastic import Elastic
 from restitution.mechanics.hertz import FloatArray
 
 
@@ -200,6 +207,10 @@ def motion(
         if switches < room:
             break
         room = switches + 1
+    if isinstance(contact, Elastic):
+        # in a list it has the same, to the last digit
+        in_lanes = epsilon_in_lanes(kappa, wanted, bound)
+        epsilon_t = epsilon_t if in_lanes is None else in_lanes
     episodes, passed = episodes[: switches + 1], passed[: switches + 1]
     start = np.where(episodes["falling"], contact.duration - passed, passed) / contact.unit
     return Motion(
