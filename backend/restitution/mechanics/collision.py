@@ -338,6 +338,7 @@ def collide(
     switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
     columns: tuple[npt.NDArray[Any], ...] = *flat, epsilon_t, switches, certain, bound
 
+    # a lower limit asks of each how many switches it will have
     elastic = contact if isinstance(contact, Elastic) and most >= MOST_IN_LANES else None
     part = PART_IN_LANES if elastic else PART
 

@@ -74,14 +74,16 @@ export function mountBounce(panel, { onShare, onOption }) {
     initial: 1,
   });
 
-  /** Once a frame, whatever has changed: the next one, for the numbers and curves of this one go first. */
+  /** Every other frame, whatever has changed: numbers and curves go first, each frame of a drag. */
   function redraw() {
     if (!isWaiting) {
       isWaiting = true;
-      afterNextFrame(() => {
-        isWaiting = false;
-        draw();
-      });
+      afterNextFrame(() =>
+        afterNextFrame(() => {
+          isWaiting = false;
+          draw();
+        }),
+      );
     }
   }
 
