@@ -23,10 +23,12 @@ settings.register_profile(
     "seeded",
     derandomize=True,
     deadline=None,
-    max_examples=300,
+    max_examples=100,
     # a clock of its own
     suppress_health_check=[HealthCheck.too_slow],
 )
+# of `make verify`
+settings.register_profile("many", settings.get_profile("seeded"), max_examples=1000)
 settings.load_profile("seeded")
 
 

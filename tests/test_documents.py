@@ -50,6 +50,7 @@ def walk(tmp_path_factory):
     return folder, done
 
 
+@pytest.mark.verify
 def test_walk_through_the_python_api_runs_as_it_stands(walk):
     _, done = walk
     assert (done.returncode, done.stderr) == (0, ""), done.stdout + done.stderr
@@ -62,6 +63,7 @@ def shape_and_numbers(picture: Path) -> tuple[str, np.ndarray]:
     return re.sub(NUMBER, "", text), np.array(re.findall(NUMBER, text), float)
 
 
+@pytest.mark.verify
 def test_pictures_of_the_walk_are_those_that_it_draws(walk):
     folder, _ = walk
     drawn = sorted(folder.iterdir())

@@ -18,7 +18,14 @@ OUTCOMES = {0: "passed", 2: "skipped"}
 """Of deploy/verify; the last where there is no engine."""
 
 # Playwright leaves an event loop running, in which no other can begin.
-MARKS = {"without a browser": "verify and not browser", "in a browser": "verify and browser"}
+RUNS = {
+    "without a browser": ["-m", "verify and not browser"],
+    "with many more random examples": [
+        *("-m", "hypothesis and not verify and not browser"),
+        "--hypothesis-profile=many",
+    ],
+    "in a browser": ["-m", "verify and browser"],
+}
 
 
 class Row(NamedTuple):
@@ -33,23 +40,23 @@ class Row(NamedTuple):
 def main() -> None:
     FOLDER.mkdir(parents=True, exist_ok=True)
     rows = []
-    for name, marks in MARKS.items():
+    for name, chosen in RUNS.items():
         print(f"\n{name}", flush=True)
-        rows += tests(name, marks)
+        rows += tests(name, chosen)
     print("\nthe image", flush=True)
     rows.append(image())
     show(rows)
     sys.exit(any(row.outcome == "failed" for row in rows))
 
 
-def tests(name: str, marks: str) -> list[Row]:
-    """Run the tests of some marks; return a row for each, and one where the run itself failed."""
+def tests(name: str, chosen: list[str]) -> list[Row]:
+    """Run the chosen tests; return a row for each, and one where the run itself failed."""
     results = FOLDER / f"{name.replace(' ', '-')}.xml"
     results.unlink(missing_ok=True)
     options = [f"--junitxml={results}", "-o", "junit_logging=system-out", "--timeout=3600"]
     begin = time.monotonic()
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "--verbose", "-m", marks, *options], cwd=ROOT, check=False
+        [sys.executable, "-m", "pytest", "--verbose", *chosen, *options], cwd=ROOT, check=False
     )
     if not results.exists():
         reason = [f"pytest ended with {done.returncode}"]

@@ -2,7 +2,7 @@
 
 import mpmath
 import pytest
-from hypothesis import assume, example, given, seed, settings
+from hypothesis import assume, example, given, seed
 from hypothesis import strategies as st
 
 SMALLEST = 5e-324
@@ -33,7 +33,6 @@ def distance_and_bound(service, kappa, gt_over_gn, truth, **more):
 
 # uniform exponents; the product ψκ^{5/4} below 1e-21 makes the correction smaller than 1e-13
 @seed(1)
-@settings(max_examples=200, deadline=None, database=None)
 @given(kappa=st.floats(-323, 200), weakness=st.floats(22, 300), method=st.sampled_from(METHODS))
 def test_error_bound_holds_for_the_free_swing(service, kappa, weakness, method):
     kappa, psi = 10.0**kappa, 10.0 ** min(-3.0, max(-323.0, -weakness - 1.25 * kappa))
@@ -44,7 +43,6 @@ def test_error_bound_holds_for_the_free_swing(service, kappa, weakness, method):
 
 
 @seed(2)
-@settings(max_examples=200, deadline=None, database=None)
 @given(
     kappa=st.floats(0.570103, LARGEST), psi=st.floats(2, LARGEST), method=st.sampled_from(METHODS)
 )

@@ -8,7 +8,7 @@ import math
 import struct
 
 import numpy as np
-from hypothesis import example, given, seed, settings
+from hypothesis import example, given, seed
 from hypothesis import strategies as st
 
 LARGEST = 1.7976931348623157e308
@@ -30,10 +30,6 @@ POSITIVE = st.one_of(ANY, ANY, COMMON, EDGE)
 OR_ZERO = st.one_of(POSITIVE, POSITIVE, POSITIVE, st.just(0.0))
 
 
-def few(number):
-    return settings(max_examples=number, deadline=None, database=None)
-
-
 def answered(service, ask):
     """Return the strict JSON of an answer, None for a refusal for cost."""
     response = service.affordable(ask)
@@ -52,7 +48,6 @@ def honest(epsilon_t, bound):
 
 
 @seed(1)
-@few(400)
 @given(kappa=POSITIVE, friction=OR_ZERO, tangential=OR_ZERO, method=st.sampled_from(METHODS))
 @example(kappa=LARGEST, friction=SMALLEST, tangential=LARGEST, method="auto")
 @example(kappa=SMALLEST, friction=LARGEST, tangential=SMALLEST, method="auto")
@@ -80,7 +75,6 @@ def test_collision_is_finite_and_bounded(service, kappa, friction, tangential, m
 
 
 @seed(3)
-@few(200)
 @given(
     kappa=POSITIVE,
     friction=OR_ZERO,
@@ -146,7 +140,6 @@ SCALE = st.sampled_from(["linear", "log"])
 
 
 @seed(4)
-@few(150)
 @given(
     along=st.sampled_from(["kappa", "gt_over_gn"]),
     ends=AXIS,
@@ -188,7 +181,6 @@ def test_cut_is_finite_and_bounded(service, along, ends, scale, friction, other,
 
 
 @seed(5)
-@few(100)
 @given(kappas=AXIS, velocities=AXIS, scales=st.tuples(SCALE, SCALE), friction=OR_ZERO)
 @example([SMALLEST, LARGEST], [SMALLEST, LARGEST], ("log", "log"), 1.0)
 @example([SMALLEST, LARGEST], [SMALLEST, LARGEST], ("linear", "linear"), LARGEST)
@@ -217,7 +209,6 @@ def test_map_is_finite_and_bounded(service, kappas, velocities, scales, friction
 
 
 @seed(6)
-@few(100)
 @given(
     rows=st.lists(st.tuples(POSITIVE, OR_ZERO, OR_ZERO), min_size=1, max_size=20),
     tolerance=st.sampled_from([1e-13, 1e-10, 1e-3, 1.0]),

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given, seed, settings
+from hypothesis import example, given, seed
 from hypothesis import strategies as st
 
 LARGEST = 1.7976931348623157e308
@@ -322,7 +322,6 @@ def honest_or_refused(service, body):
 
 
 @seed(7)
-@settings(max_examples=300, deadline=None, database=None)
 @given(body=REQUESTS)
 @example(changed("impact.normal_velocity_m_s", SMALLEST))
 @example(changed("impact.tangential_velocity_m_s", LARGEST))

@@ -88,6 +88,7 @@ def test_damaged_kernels_are_compiled_anew(kept, suffix, how):
     assert_healed(folder, answer)
 
 
+@pytest.mark.verify
 def test_code_of_another_kernel_is_not_run(kept):
     """As where two processes gave one name to two, or one was killed before it wrote its own."""
     folder, answer = kept

@@ -145,11 +145,11 @@ def test_counts_that_were_certain_and_wrong_are_not(collision):
 @pytest.mark.parametrize(
     ("direction", "damped", "borders"),
     [
-        ("kappa", False, 20),
-        ("psi", False, 20),
-        ("kappa", True, 6),
-        ("psi", True, 6),
-        ("damping", True, 2),
+        ("kappa", False, 8),
+        ("psi", False, 8),
+        ("kappa", True, 2),
+        ("psi", True, 2),
+        ("damping", True, 1),
     ],
 )
 def test_certain_counts_are_right_beside_a_border(direction, damped, borders):

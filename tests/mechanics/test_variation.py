@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from cases import every_day
 from restitution.mechanics.collision import collide
 from restitution.mechanics.contact import contact_duration, largest_force
 from restitution.mechanics.motion import normal_curves
@@ -18,7 +19,9 @@ from restitution.mechanics.variation import (
     possible_range,
 )
 
-DAMPINGS = pytest.mark.parametrize("damping", [0.0, 1e-3, 0.1, 0.58, 3.0, 100.0])
+DAMPINGS = pytest.mark.parametrize(
+    "damping", every_day([0.0, 0.1, 100.0], of=[0.0, 1e-3, 0.1, 0.58, 3.0, 100.0])
+)
 N = 40_000
 
 
@@ -63,9 +66,10 @@ def test_change_by_velocity_is_never_exceeded_and_reached(damping):
     assert np.max((found - known) / (most - known)) > 0.85
 
 
-def test_change_by_damping_is_never_exceeded_and_reached_within_a_factor_of_three():
+@pytest.mark.parametrize("count", every_day([25], of=[25, 60]))
+def test_change_by_damping_is_never_exceeded_and_reached_within_a_factor_of_three(count):
     rng = np.random.default_rng(3)
-    etas = np.concatenate([[0.0], log_uniform(rng, 1e-5, 100.0, 60)])
+    etas = np.concatenate([[0.0], log_uniform(rng, 1e-5, 100.0, count)])
     nearest = 0.0
     for eta in etas.tolist():
         kappa, psi = log_uniform(rng, 1e-3, 1e5, 1000), log_uniform(rng, 1e-3, 20.0, 1000)

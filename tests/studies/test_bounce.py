@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from restitution.errors import ParameterError
@@ -21,7 +21,6 @@ INERTIA = st.one_of(
     st.floats(4e-9, 3.6e-4).map(Moment),
 )
 
-SOME = settings(max_examples=100)
 
 AGREES = 1e-11
 """Of a velocity of some g_n: rounding of both ways, of which one scales by materials."""
@@ -80,7 +79,6 @@ def as_tuple(motion):
     return motion.normal_velocity, motion.centre_velocity, motion.spin_velocity
 
 
-@SOME
 @given(
     contacts(),
     st.floats(0.05, 20.0),
@@ -105,7 +103,6 @@ def test_ball_comes_and_leaves_as_one_of_real_bodies(contact, speed, gt_over_gn,
         assert as_tuple(motion) == pytest.approx(expected, rel=0, abs=AGREES)
 
 
-@SOME
 @given(contacts(), st.floats(0.05, 20.0), st.floats(0.001, 10.0), st.floats(0.0, 1.0))
 def test_second_collision_is_that_of_real_bodies_that_come_back(contact, speed, gt_over_gn, share):
     contact = replace(contact, body_2=Wall(7e10, 0.25))
@@ -132,7 +129,6 @@ def test_second_collision_is_that_of_real_bodies_that_come_back(contact, speed, 
     assert as_tuple(found.motions[2]) == pytest.approx(expected, rel=0, abs=1e-7)
 
 
-@SOME
 @given(
     st.floats(0.1, 1e3),
     st.floats(0.0, 4.0),

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from restitution.errors import ParameterError
@@ -46,9 +46,6 @@ def impacts(draw):
     spins = draw(VECTOR), draw(VECTOR)
     return Impact(tuple(first.tolist()), tuple(second.tolist()), tuple(normal.tolist()), *spins)
 
-
-SOME = settings(max_examples=100)
-"""Each is two to four studies of a contact, with the normal motion of an η of its own."""
 
 CONTACTS = st.builds(
     Contact,
@@ -92,7 +89,6 @@ def motion_before(impact):
     )
 
 
-@SOME
 @given(contact=CONTACTS, impact=impacts())
 def test_impact_conserves_momentum_and_angular_momentum(contact, impact):
     after = study_scaling(contact, impact).after
@@ -103,7 +99,6 @@ def test_impact_conserves_momentum_and_angular_momentum(contact, impact):
     assert np.abs(l1 - l0).max() <= 1e-12 * size[1]
 
 
-@SOME
 @given(contact=CONTACTS, impact=impacts())
 def test_impact_loses_the_energy_that_both_coefficients_say(contact, impact):
     study = study_scaling(contact, impact)
@@ -114,7 +109,6 @@ def test_impact_loses_the_energy_that_both_coefficients_say(contact, impact):
     assert before - after == pytest.approx(lost, rel=1e-12, abs=1e-12 * sizes[2])
 
 
-@SOME
 @given(contact=CONTACTS, impact=impacts())
 def test_surfaces_part_with_both_coefficients(contact, impact):
     study = study_scaling(contact, impact)
@@ -133,7 +127,6 @@ def test_surfaces_part_with_both_coefficients(contact, impact):
     assert after == pytest.approx(expected, abs=1e-12 * (1.0 + max(radii) * spin))
 
 
-@SOME
 @given(contact=CONTACTS, impact=impacts())
 def test_swapping_the_spheres_changes_nothing(contact, impact):
     study = study_scaling(contact, impact)
@@ -150,7 +143,6 @@ def test_swapping_the_spheres_changes_nothing(contact, impact):
         assert mine == pytest.approx(its, rel=1e-10, abs=1e-10 * (1 + max(map(abs, mine))))
 
 
-@SOME
 @given(bodies=st.tuples(spheres(), spheres()), impact=impacts(), axis=DIRECTION,
        angle=st.floats(0.0, 6.3))  # fmt: skip
 def test_rotating_the_frame_rotates_what_comes_out(bodies, impact, axis, angle):

@@ -61,7 +61,7 @@ def test_entries_are_exact_to_their_decimals(axes):
 def test_proven_error_holds_at_points_that_it_was_not_made_from(axes):
     table = study_table(*axes, "paper", seconds=10)
     rng = np.random.default_rng(5)
-    cells = 500_000
+    cells = 100_000
 
     def within(axis):
         low, high = axis.minimum, axis.maximum
@@ -118,7 +118,7 @@ def test_error_in_three_parameters_holds_at_points_that_it_was_not_made_from(axe
     low, high = (np.log(axes[2].minimum), np.log(axes[2].maximum)) if axes[2].scale == "log" else (
         axes[2].minimum, axes[2].maximum)  # fmt: skip
     # few η, each of which takes a normal motion, with many κ and ψ
-    places = rng.uniform(low, high, 200)
+    places = rng.uniform(low, high, 60)
     worst = 0.0
     for place in places:
         eta = np.exp(place) if axes[2].scale == "log" else place
@@ -133,7 +133,7 @@ def test_error_in_three_parameters_holds_at_points_that_it_was_not_made_from(axe
         )
         worst = max(worst, np.abs(found - exact(kappa, psi, eta)).max())
     assert worst <= table.largest_error
-    # 200,000 points miss a tenth of the worst one
+    # 60,000 points miss some of the worst one
     assert table.largest_error <= 3.0 * worst
 
 

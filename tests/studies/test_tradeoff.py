@@ -9,6 +9,7 @@ from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods import planner
 from restitution.studies.accuracy import candidates as every
+from restitution.studies.accuracy import steps
 from restitution.studies.accuracy.candidates import UNDAMPED, Candidate, candidates
 from restitution.studies.accuracy.reference import KNOWN, reference
 from restitution.studies.accuracy.report import tradeoff_report
@@ -167,15 +168,23 @@ def test_a_method_that_refuses_everything_has_no_figures(slow):
     assert row == Row("never", {}, 20, 1.0)
 
 
-def test_study_tells_its_progress_and_can_be_left(monkeypatch):
+@pytest.fixture
+def little(monkeypatch):
+    """A measurement of a few collisions, with the lowest rungs of the ladder of time steps."""
     monkeypatch.setattr(every, "COLLISIONS", 50)
+    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
+    monkeypatch.setattr(steps, "MOST_STEPS", 100)
+
+
+@pytest.mark.usefixtures("little")
+def test_study_tells_its_progress_and_can_be_left():
     few = [by("exact"), by("coulomb"), by("stiff")]
     seen = [(progress, len(m.rows)) for progress, m in study_tradeoff("solids", few)]
     assert seen == [(0.0, 0), (pytest.approx(1 / 3), 1), (pytest.approx(2 / 3), 2), (1.0, 3)]
 
 
-def test_storing_a_scene_leaves_the_others(tmp_path, monkeypatch):
-    monkeypatch.setattr(every, "COLLISIONS", 50)
+@pytest.mark.usefixtures("little")
+def test_storing_a_scene_leaves_the_others(tmp_path):
     target = tmp_path / "tradeoff.json"
     for scene in ("solids", "figure4"):
         *_, (_, measurement) = study_tradeoff(scene, [by("coulomb")])
@@ -185,15 +194,15 @@ def test_storing_a_scene_leaves_the_others(tmp_path, monkeypatch):
     assert stored["solids"]["rows"][0]["method"] == "coulomb"
 
 
-def test_rows_of_another_program_join_and_the_report_tells_so(tmp_path, monkeypatch):
-    monkeypatch.setattr(every, "COLLISIONS", 50)
+@pytest.mark.usefixtures("little")
+def test_rows_of_another_program_join_and_the_report_tells_so(tmp_path):
     target = tmp_path / "tradeoff.json"
     few = [by("coulomb"), by("timestep", integrator="velocity_verlet", steps=50)]
     *_, (_, measurement) = study_tradeoff("solids", few)
     store_tradeoff(measurement, target)
     assert "No other program took part" in tradeoff_report(load_tradeoff(target))
-    for steps in (20, 50):
-        store_rows("solids", [Row("lammps", {"steps": steps}, 1, 1.0)], target)
+    for count in (20, 50):
+        store_rows("solids", [Row("lammps", {"steps": count}, 1, 1.0)], target)
     rows = load_tradeoff(target)["solids"]["rows"]
     assert [row["method"] for row in rows] == ["coulomb", "timestep", "lammps"]
     assert rows[-1]["options"] == {"steps": 50}
