@@ -201,6 +201,15 @@ def visit(page: Page, address: str) -> None:
     )
 
 
+# Nobody moves any more, and the seconds until the controls of a presentation fade are over.
+FADE = """() => {
+  const later = window.setTimeout;
+  window.setTimeout = (task) => later(task);
+  dispatchEvent(new PointerEvent("pointermove"));
+  window.setTimeout = later;
+}"""
+
+
 def settle(page: Page, server: str) -> None:
     """Wait until the page shows the truth about its own parameters."""
 

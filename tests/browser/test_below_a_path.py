@@ -12,6 +12,8 @@ from playwright.sync_api import Page
 from rest import eventually, rest
 from set_up_program import program_of_machine
 
+from cases import every_day
+
 pytestmark = pytest.mark.browser
 
 SCENES = ["", "?scene=spheres", "?scene=accuracy", "?scene=paper", "?scene=lesson&step=2"]
@@ -57,8 +59,9 @@ def test_what_the_page_gives_away_leads_back_to_it(stranger: Page, base: str):
     assert f"{base}api/v1/trace?" in stranger.get_by_test_id("sheet").inner_text()
 
 
+@pytest.mark.parametrize("path", every_day([EMBED], of=["", "?scene=paper", EMBED]))
 def test_it_works_in_a_frame_that_may_run_scripts_and_nothing_else(
-    stranger: Page, base: str, tmp_path: Path
+    stranger: Page, base: str, tmp_path: Path, path: str
 ):
     witness = Witness(stranger, base)
 
@@ -67,12 +70,11 @@ def test_it_works_in_a_frame_that_may_run_scripts_and_nothing_else(
         assert any(character.isdigit() for character in shown), stranger.url
 
     with another_host(tmp_path) as host:
-        for path in ["", "?scene=paper", EMBED]:
-            frame = f'<iframe sandbox="allow-scripts" width="1200" height="700" src="{base}{path}">'
-            (tmp_path / "index.html").write_text(f"<!doctype html>{frame}</iframe>")
-            stranger.goto(f"{host}/?{urllib.parse.quote(path)}")
-            stranger.frame_locator("iframe").locator("main").wait_for()
-            if path in FIRST_SEEN:
-                eventually(assert_told, stranger)
+        frame = f'<iframe sandbox="allow-scripts" width="1200" height="700" src="{base}{path}">'
+        (tmp_path / "index.html").write_text(f"<!doctype html>{frame}</iframe>")
+        stranger.goto(host)
+        stranger.frame_locator("iframe").locator("main").wait_for()
+        if path in FIRST_SEEN:
+            eventually(assert_told, stranger)
     assert witness.words == []
     assert [url for url in witness.strangers if not url.startswith(host)] == []

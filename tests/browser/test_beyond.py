@@ -26,7 +26,7 @@ def words(mark: Locator) -> str:
       (node.nodeName === "SUB" ? "_" : "") + node.textContent).join("")""")
 
 
-@pytest.mark.parametrize(("name", "query", "told", "lines"), every_day(BEYOND[2:4], of=BEYOND))
+@pytest.mark.parametrize(("name", "query", "told", "lines"), every_day(BEYOND[2:3], of=BEYOND))
 def test_what_lies_beyond_an_axis_is_told_there_and_not_marked(
     used_tab: Page, server: str, name: str, query: str, told: str, lines: list[str]
 ):

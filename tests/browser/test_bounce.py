@@ -81,7 +81,7 @@ def within_its_digits(found: float, exact: float) -> bool:
     return abs(found - exact) <= 0.5 * last + 1e-9
 
 
-@pytest.mark.parametrize("states", [6, pytest.param(200, marks=pytest.mark.verify)])
+@pytest.mark.parametrize("states", [3, pytest.param(200, marks=pytest.mark.verify)])
 def test_angles_and_spins_are_those_of_real_bodies(used_tab: Page, server: str, states: int):
     chance = random.Random(17)
     for _ in range(states):
@@ -231,6 +231,17 @@ def test_the_words_in_the_contact_have_room_on_a_phone(used_tab: Page, server: s
     assert [words for words in found if not words.endswith("true")] == []
 
 
+@pytest.mark.own_page
+def test_it_plays_by_itself_until_it_is_stopped(page: Page):
+    page.emulate_media(reduced_motion="no-preference")
+    page.goto("/?kappa=4.5&gt_over_gn=1.1")
+    play = page.get_by_test_id("bounce-play")
+    expect(play).to_have_attribute("data-playing", "")
+    play.click()
+    expect(play).not_to_have_attribute("data-playing", "")
+
+
+@pytest.mark.verify
 @pytest.mark.own_page
 def test_it_plays_once_by_itself_and_ends_with_the_whole_way(page: Page):
     page.emulate_media(reduced_motion="no-preference")

@@ -141,7 +141,7 @@ MARK_WORDS = """() => {
 
 
 @pytest.mark.own_page
-@pytest.mark.parametrize("scene", every_day(["explorer", "lesson"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["explorer"], of=SCENES))
 def test_no_letter_of_the_page_is_from_another_font(page: Page, server: str, scene: str):
     open_scene(page, server, SCENES[scene])
     if scene == "hand-out":

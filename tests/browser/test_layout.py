@@ -92,7 +92,7 @@ EVERYTHING = dict.fromkeys(FONTS, SIZES)
 
 
 # The whole list has eleven thousand elements.
-@pytest.mark.parametrize("state", every_day(["explorer", "lesson"], of=STATES))
+@pytest.mark.parametrize("state", every_day(["explorer"], of=STATES))
 @pytest.mark.parametrize(
     "looks", [EVERY_DAY, pytest.param(EVERYTHING, marks=pytest.mark.verify)], ids=["some", "all"]
 )

@@ -3,7 +3,7 @@
 import itertools
 
 import pytest
-from explorer import settle
+from explorer import FADE, settle
 from lesson import LANGUAGES, PREDICTIONS, STEPS, Texts, says
 from playwright.sync_api import Browser, Page, expect
 from rest import rest
@@ -76,6 +76,7 @@ def test_all_that_a_step_needs_is_in_the_window_of_a_projector(
         page.goto(f"/?scene=lesson&step={i + 1}&{options}")
         says(page, "lesson-title", texts.step(step, "title"))
         if step in PREDICTIONS:
+            page.evaluate(FADE)
             rest(page)
             beyond[f"{step}, covered"] = page.evaluate(BEYOND)
             page.get_by_test_id("predict-anyway").click()
@@ -90,6 +91,7 @@ def test_all_that_a_step_needs_is_in_the_window_of_a_projector(
             settle(page, server)
             said = f"{texts.say('reached')} {texts.step(step, 'verdicts.met')}"
             says(page, "lesson-feedback", said)
+            page.evaluate(FADE)
             rest(page)
             beyond[f"{step}, reached"] = page.evaluate(BEYOND)
     assert {where: parts for where, parts in beyond.items() if parts} == {}
@@ -117,43 +119,51 @@ def test_on_a_phone_nothing_lies_over_an_answer(page: Page, step: int):
     assert [answer.evaluate(ON_TOP) for answer in answers] == [True] * len(answers)
 
 
+FOR_ALL = ["[data-testid=epsilon-t]", "[data-testid=summary]", "#controls", ".force", ".bounce"]
+FOR_EXPERTS = [".velocity", ".cut-panel", "[data-testid=method]", "[data-testid=switches]"]
+
+
+def shown(page: Page, selectors: list[str]) -> list[bool]:
+    return [page.locator(selector).first.is_visible() for selector in selectors]
+
+
 def test_a_first_visit_sees_the_plain_face_and_who_wants_all_finds_it_again(
     browser: Browser, server: str
 ):
-    views = [".velocity", ".cut-panel", "[data-testid=method]", "[data-testid=switches]"]
-    always = ["[data-testid=epsilon-t]", "[data-testid=summary]", "#controls", ".force", ".bounce"]
-
-    def shown(page: Page, selectors: list[str]) -> list[bool]:
-        return [page.locator(selector).first.is_visible() for selector in selectors]
-
     with browser.new_context(base_url=server, reduced_motion="reduce") as context:
         page = context.new_page()
         page.goto("/")
         settle(page, server)
-        assert shown(page, [*always, ".map-panel"]) == [True] * 6
-        assert shown(page, views) == [False] * 4
+        assert shown(page, [*FOR_ALL, ".map-panel"]) == [True] * 6
+        assert shown(page, FOR_EXPERTS) == [False] * 4
         assert "face" not in page.url
         page.get_by_test_id("face").click()
-        assert shown(page, [*always, *views]) == [True] * 9
+        assert shown(page, [*FOR_ALL, *FOR_EXPERTS]) == [True] * 9
         assert "face=expert" in page.url
-        # another visit, and the lesson, which begins plain
         again = context.new_page()
         again.goto("/")
         settle(again, server)
-        assert shown(again, views) == [True] * 4
-        again.goto("/?face=plain")
-        settle(again, server)
-        assert shown(again, views) == [False] * 4
-        again.goto("/?scene=lesson&step=1")
-        settle(again, server)
-        assert shown(again, views) == [False] * 4
-        again.goto("/?scene=lesson&step=1&face=expert")
-        settle(again, server)
-        assert shown(again, views) == [True] * 4
+        assert shown(again, FOR_EXPERTS) == [True] * 4
+
+
+@pytest.mark.verify
+@pytest.mark.parametrize(
+    ("query", "seen"),
+    [
+        ("face=plain", [False] * 4),
+        # which begins plain
+        ("scene=lesson&step=1", [False] * 4),
+        ("scene=lesson&step=1&face=expert", [True] * 4),
         # where the number is not the usual one, the way it is got is shown
-        again.goto("/?face=plain&method=coulomb")
-        settle(again, server)
-        assert shown(again, views) == [False, False, True, False]
+        ("face=plain&method=coulomb", [False, False, True, False]),
+    ],
+)
+def test_an_address_and_the_lesson_have_a_face_of_their_own(
+    page: Page, server: str, query: str, seen: list[bool]
+):
+    page.goto(f"/?{query}")
+    settle(page, server)
+    assert shown(page, FOR_EXPERTS) == seen
 
 
 @pytest.mark.verify

@@ -57,7 +57,7 @@ def reaches_leaves_and_reaches_again(
 
 
 # The whole walks are long; every day, one of each kind of step.
-SOME = ("spin", "stop", "collapse", "damping")
+SOME = ("spin", "collapse")
 
 
 @pytest.mark.parametrize(

@@ -123,7 +123,7 @@ PLACES = {
     ),
     "hand-out": ("/?scene=lesson&handout=shown&notes=shown", None),
 }
-EVERY_DAY = [(1440, "dark", "reached")]
+EVERY_DAY = [(1440, "dark", "wrong")]
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from explorer import settle, visit
+from explorer import FADE, settle, visit
 from lesson import Texts, says
 from playwright.sync_api import Page, expect
 from rest import eventually, rest
@@ -45,6 +45,7 @@ def present(page: Page, query: str = "") -> None:
     page.set_viewport_size(PROJECTOR)
     visit(page, f"/?presenting=on&{query}")
     expect(page.locator(":root[data-presenting]")).to_have_count(1)
+    page.evaluate(FADE)
     rest(page)
 
 

@@ -85,7 +85,7 @@ def test_a_scene_is_one_page_of_a4(used_tab: Page, scene: str, width: int, heigh
     assert {round(float(number)) for number in box[1].split()[2:]} == A4
 
 
-@pytest.mark.parametrize("scene", every_day(["explorer", "lesson, step 6"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["explorer"], of=SCENES))
 def test_on_paper_nothing_is_cut_off_and_pictures_fill_their_places(used_tab: Page, scene: str):
     visit(used_tab, f"/?{SCENES[scene]}")
     rest(used_tab)

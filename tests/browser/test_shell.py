@@ -44,7 +44,7 @@ def test_colours_are_those_chosen_and_stand_in_the_address(tab: Page):
 
 @pytest.mark.parametrize(
     "panel",
-    every_day(["map", "impact"], of=PANELS + ACCURACY_PANELS + SPHERES_PANELS),
+    every_day(["impact"], of=PANELS + ACCURACY_PANELS + SPHERES_PANELS),
 )
 def test_embedded_panel_stands_alone_and_leads_to_the_full_page(used_tab: Page, panel: str):
     used_tab.set_viewport_size({"width": 480, "height": 360})
