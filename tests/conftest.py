@@ -12,6 +12,7 @@ from starlette.testclient import TestClient
 
 from restitution.api.app import create_app
 from restitution.api.warm import warm, warm_rest
+from restitution.studies.accuracy import steps
 from servers import serving
 from service import Service
 from waiting import eventually
@@ -89,6 +90,13 @@ def damped_reference() -> list[Damped]:
 def reference_reversals() -> np.ndarray:
     names = ("kappa", "psi", "reversals")
     return np.array([[float(row[n]) for n in names] for row in read("collisions_more.csv")])
+
+
+@pytest.fixture
+def few_steps(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The lowest rungs of the ladder of time steps, where it matters alone that there is one."""
+    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
+    monkeypatch.setattr(steps, "MOST_STEPS", 100)
 
 
 @pytest.fixture(scope="session")

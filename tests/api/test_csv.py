@@ -16,6 +16,8 @@ from cases import every_day
 from restitution.cli import main
 from restitution.wire.formats import CsvOptions, csv_blocks
 
+pytestmark = pytest.mark.usefixtures("few_steps")
+
 DOCUMENT = Path(__file__).parents[2].joinpath("docs", "csv.md").read_text()
 WITH_CSV = [
     name

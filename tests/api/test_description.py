@@ -22,6 +22,8 @@ from starlette.testclient import TestClient
 from cases import every_day
 from restitution.api.app import create_app
 
+pytestmark = pytest.mark.usefixtures("few_steps")
+
 every_example = pytest.mark.parametrize("name", ALWAYS_ON)
 FORMS = [{"encoding": "base64"}, {"format": "csv"}, {"format": "npz"}]
 

@@ -21,7 +21,7 @@ from document import (
     sixth_of,
 )
 
-from restitution.studies.accuracy import steps
+pytestmark = pytest.mark.usefixtures("few_steps")
 
 HUGE = "1" + "0" * 400
 DEEP = 100_000
@@ -81,13 +81,6 @@ KINDS = {
     "": 415,
     ";": 415,
 }
-
-
-@pytest.fixture(autouse=True)
-def few_steps(monkeypatch):
-    """What a ladder of time steps gives is in test_steps.py; here it is climbed a hundred times."""
-    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
-    monkeypatch.setattr(steps, "MOST_STEPS", 100)
 
 
 POSTS = [name for name in ALWAYS_ON if body_of(name)]

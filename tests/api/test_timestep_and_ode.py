@@ -149,6 +149,7 @@ def test_many_extremes_are_answered_at_once_or_refused(service):
     service.problem(service.post(body | {"method": "ode"}), 413)
 
 
+@pytest.mark.verify
 def test_a_million_collisions_in_fifty_steps_are_within_the_budget(service):
     million = base64.b64encode(np.full(1_000_000, 18.0).tobytes()).decode()
     body = {"kappa": {"dtype": "f8", "bdata": million}, "mu_over_alpha": 1, "gt_over_gn": 2.5}

@@ -56,11 +56,9 @@ FOCUSED = """() => {
 }"""
 
 
-# Of the paper's list, a part is looked at in test_paper_scene.py.
-EVERY_DAY = [
-    (1440, "dark", "first"),
-    (390, "light", "compared, to be swept"),
-]
+# Of the paper's list, a part is looked at in test_paper_scene.py; dark colours are in
+# test_presenting.py and test_lesson_texts.py.
+EVERY_DAY = [(390, "light", "compared, to be swept")]
 
 
 @pytest.mark.parametrize(

@@ -123,6 +123,7 @@ def test_a_frame_and_what_is_saved_of_it_hold_what_is_pinned(used_tab: Page, tmp
         assert f"stroke-dasharray: {dash};" in saved.replace(", ", ",")
 
 
+@pytest.mark.verify
 def test_what_is_pinned_while_the_server_is_away_comes_when_it_is_back(tab: Page):
     tab.route("**/api/**", lambda route: route.abort())
     tab.get_by_test_id("pin").click()

@@ -214,6 +214,7 @@ def test_the_language_can_be_switched_at_any_time(used_tab: Page, server: str, h
     settle(used_tab, server)
 
 
+@pytest.mark.verify
 def test_another_language_waits_for_the_server_and_loses_no_picture(page: Page, server: str):
     page.goto("/?lang=en")
     settle(page, server)

@@ -54,7 +54,7 @@ def marked(text: str) -> str:
     )
 
 
-@pytest.mark.parametrize("scene", every_day(["speed and accuracy"], of=SCENES))
+@pytest.mark.parametrize("scene", every_day(["real spheres"], of=SCENES))
 def test_every_word_is_from_the_locales(page: Page, scene: str):
     change_words(page, lambda texts: changed(texts, marked))
     page.goto(f"/?{SCENES[scene]}")

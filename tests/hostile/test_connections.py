@@ -11,7 +11,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from cases import left_to_verify
+from cases import every_day, left_to_verify
 from restitution.api import connections
 from restitution.api.admission import MOST_HELD
 from servers import serving
@@ -121,7 +121,11 @@ HEADS = {
 }
 
 
-@pytest.mark.parametrize("name", HEADS)
+# without end, too long in one part, and of too many parts, before a body and within it
+EVERY_DAY = ["short headers", "one header", "more headers than a hundred", "chunks of one byte"]
+
+
+@pytest.mark.parametrize("name", every_day(EVERY_DAY, of=HEADS))
 def test_a_head_without_end_is_refused(server, name):
     text, status, words = HEADS[name]
     with memory_bounded(server, MAY_TAKE):

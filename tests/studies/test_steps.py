@@ -103,7 +103,12 @@ def test_an_error_that_comes_back_with_more_steps_is_not_met():
     assert any(met[n] for n in LADDER if n < failing)
 
 
-@pytest.mark.parametrize("where", [ONE, CollisionParameters(1e4, 1.0, 0.01), "stiff", "damped"])
+STIFF_ONE = CollisionParameters(1e4, 1.0, 0.01)
+
+
+@pytest.mark.parametrize(
+    "where", every_day([ONE, STIFF_ONE, "stiff"], of=[ONE, STIFF_ONE, "stiff", "damped"])
+)
 def test_work_is_bounded_before_it_whatever_is_asked(where):
     with counted() as work:
         study = study_steps(1e-3, where)
@@ -168,7 +173,7 @@ def test_rule_is_not_tried_beyond_the_steps_of_a_request():
     assert study.rule["velocity_verlet"].error_max is None
 
 
-@pytest.mark.parametrize("region", every_day(["figure4", "damped"], of=MEASURED))
+@pytest.mark.parametrize("region", every_day(["figure4"], of=MEASURED))
 @pytest.mark.parametrize("error", every_day([1e-3], of=[1e-2, 1e-3, 1e-4]))
 def test_steps_needed_agree_with_the_measured_table(region, error):
     rows = {

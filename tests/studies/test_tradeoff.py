@@ -9,7 +9,6 @@ from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
 from restitution.methods import planner
 from restitution.studies.accuracy import candidates as every
-from restitution.studies.accuracy import steps
 from restitution.studies.accuracy.candidates import UNDAMPED, Candidate, candidates
 from restitution.studies.accuracy.reference import KNOWN, reference
 from restitution.studies.accuracy.report import tradeoff_report
@@ -169,21 +168,18 @@ def test_a_method_that_refuses_everything_has_no_figures(slow):
 
 
 @pytest.fixture
-def little(monkeypatch):
-    """A measurement of a few collisions, with the lowest rungs of the ladder of time steps."""
+def few_collisions(monkeypatch):
     monkeypatch.setattr(every, "COLLISIONS", 50)
-    monkeypatch.setattr(steps, "LADDER", steps.LADDER[:4])
-    monkeypatch.setattr(steps, "MOST_STEPS", 100)
 
 
-@pytest.mark.usefixtures("little")
+@pytest.mark.usefixtures("few_collisions", "few_steps")
 def test_study_tells_its_progress_and_can_be_left():
     few = [by("exact"), by("coulomb"), by("stiff")]
     seen = [(progress, len(m.rows)) for progress, m in study_tradeoff("solids", few)]
     assert seen == [(0.0, 0), (pytest.approx(1 / 3), 1), (pytest.approx(2 / 3), 2), (1.0, 3)]
 
 
-@pytest.mark.usefixtures("little")
+@pytest.mark.usefixtures("few_collisions", "few_steps")
 def test_storing_a_scene_leaves_the_others(tmp_path):
     target = tmp_path / "tradeoff.json"
     for scene in ("solids", "figure4"):
@@ -194,7 +190,7 @@ def test_storing_a_scene_leaves_the_others(tmp_path):
     assert stored["solids"]["rows"][0]["method"] == "coulomb"
 
 
-@pytest.mark.usefixtures("little")
+@pytest.mark.usefixtures("few_collisions", "few_steps")
 def test_rows_of_another_program_join_and_the_report_tells_so(tmp_path):
     target = tmp_path / "tradeoff.json"
     few = [by("coulomb"), by("timestep", integrator="velocity_verlet", steps=50)]
