@@ -16,6 +16,12 @@ import psutil
 
 from waiting import LIMIT_SECONDS, eventually
 
+LONG = (
+    "/api/v1/map?mu_over_alpha=1&kappa_min=1.1e4&kappa_max=3e4&kappa_count=500"
+    "&gt_over_gn_count=200&quantities=switches"
+)
+"""A second or so of both cores: too stiff for lanes."""
+
 
 class Serving:
     """A `restitution serve` process and what it writes."""

@@ -12,15 +12,10 @@ import urllib.request
 
 import pytest
 
-from servers import program, serving
+from servers import LONG, program, serving
 from waiting import LIMIT_SECONDS, eventually
 
 COLLISION = "/api/v1/collision?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.4"
-LONG = (
-    "/api/v1/map?mu_over_alpha=1&kappa_min=1e3&kappa_max=9e3&kappa_count=1000"
-    "&gt_over_gn_count=200&quantities=switches"
-)
-"""A second or so of both cores."""
 
 TRIES = 20
 """Of what shall be seen while a long request is under way, which may be over before we look."""

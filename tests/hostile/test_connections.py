@@ -14,17 +14,13 @@ import pytest
 from cases import every_day, left_to_verify
 from restitution.api import connections
 from restitution.api.admission import MOST_HELD
-from servers import serving
+from servers import LONG, serving
 from waiting import LIMIT_SECONDS, eventually
 
 MEGABYTE = 2**20
 MAY_TAKE = 20 * MEGABYTE
 
 COLLISION = "/api/v1/collision?kappa=18&mu_over_alpha=1.4&gt_over_gn=0.4"
-LONG = (
-    "/api/v1/map?mu_over_alpha=1&kappa_min=1e3&kappa_max=9e3&kappa_count=1000"
-    "&gt_over_gn_count=200&quantities=switches"
-)
 GET = "GET /healthz HTTP/1.1\r\nHost: x\r\n"
 POST = "POST /api/v1/collisions HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
 CHUNKED = POST + "Transfer-Encoding: chunked\r\n\r\n"

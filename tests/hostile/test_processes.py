@@ -12,14 +12,10 @@ from pathlib import Path
 import psutil
 import pytest
 
-from servers import serving, starting
+from servers import LONG, serving, starting
 from waiting import LIMIT_SECONDS, eventually
 
 ROOT = Path(__file__).parents[2]
-LONG = (
-    "/api/v1/map?mu_over_alpha=1&kappa_min=1e3&kappa_max=9e3&kappa_count=1000"
-    "&gt_over_gn_count=200&quantities=switches"
-)
 
 
 def until(holds):
