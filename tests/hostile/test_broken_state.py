@@ -127,12 +127,17 @@ def test_processes_that_write_at_the_same_time_do_not_hinder_one_another(healthy
             [sys.executable, "-c", TWO_KERNELS],
             env=environment,
             stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
+            stderr=subprocess.PIPE,
             text=True,
         )
         for _ in range(6)
     ]
-    assert {process.communicate()[0] for process in together} == {healthy[1]}
+    found, told = zip(*(process.communicate() for process in together), strict=True)
+    assert set(found) == {healthy[1]}
+    # some are first
+    assert {line.partition(":")[0] for lines in told for line in lines.splitlines()} == {
+        "kernels are compiled for this processor"
+    }
     assert_healed(tmp_path, healthy[1])
 
 
@@ -142,7 +147,7 @@ def test_kernels_are_done_without_a_place_for_them(healthy):
     found, lines = ask("prlimit", "--fsize=0")
     assert found == healthy[1]
     (line,) = lines
-    assert line.startswith("nothing is kept, each start compiles for 5 to 20 s: ")
+    assert line.startswith("nothing is kept, each start compiles for a minute: ")
 
 
 @pytest.mark.verify
@@ -205,9 +210,7 @@ def test_a_folder_that_others_could_write_is_not_used(healthy, tmp_path, change,
     found, lines = ask(TMPDIR=tmp_path)
     assert found == healthy[1]
     (line,) = lines
-    assert line.startswith(
-        f"nothing is kept, each start compiles for 5 to 20 s: {folder}: {reason}"
-    )
+    assert line.startswith(f"nothing is kept, each start compiles for a minute: {folder}: {reason}")
     assert times(tmp_path) == before
     assert not (tmp_path / "crater").exists()
 

@@ -30,7 +30,7 @@ FIRST_PAUSE, LONGEST_PAUSE = 5, 30
 def create_app(settings: Settings | None = None) -> FastAPI:
     """Return the service; its kernels are made ready in the background once it runs.
 
-    The table follows them: until it is there, the first time 20 s later, requests that use it wait.
+    The table follows them: until it is there, the first time after a minute, what uses it waits.
     """
     settings = settings or settings_of_environment()
     app = FastAPI(

@@ -137,7 +137,7 @@ def find_folder(name: str) -> tuple[str, str]:
         event = f"the cache is in {folder}, not in {'; '.join(distrusted)}"
         return str(folder), event if distrusted else ""
     reasons = "; ".join(distrusted + unfit) or "there is neither a home nor a temporary folder"
-    return "", f"nothing is kept, each start compiles for 5 to 20 s: {reasons}"
+    return "", f"nothing is kept, each start compiles for a minute: {reasons}"
 
 
 def _link(lent: Path, folder: Path) -> None:

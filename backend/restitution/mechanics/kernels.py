@@ -13,7 +13,7 @@ from restitution.mechanics import cache
 from restitution.mechanics.compiled import ABOUT_FOLDER, CACHE_FOLDER, MODEL_VERSION
 
 FIRST_USE = (
-    "kernels are compiled for this processor: about 5 s for a first collision, 20 s for all kinds, "
+    "kernels are compiled for this processor: about 10 s for a first collision, a minute for all, "
     f"once, for they are kept in {CACHE_FOLDER}"
 )
 
