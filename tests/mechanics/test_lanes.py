@@ -1,7 +1,5 @@
 """Collisions in lanes are those of `follow`, wherever one looks, and never depend on each other."""
 
-import math
-
 import numpy as np
 import pytest
 from fit_guesses import phases
@@ -18,6 +16,7 @@ from restitution.mechanics.lanes.rows import BLOCK, work_space
 from restitution.mechanics.lanes.sliding import largest_reach
 from restitution.mechanics.lanes.sticking import guessed_phase
 from restitution.mechanics.switching import MONOTONE_STIFFNESS, slip_extremum, slip_reach
+from samples import borders, log_uniform
 
 PARTS = 200_000
 
@@ -34,24 +33,20 @@ def followed(kappa, psi):
     return found
 
 
-def log_uniform(random, low, high, count=PARTS):
-    return np.exp(random.uniform(math.log(low), math.log(high), count))
-
-
 def figure_4(random):
     return random.uniform(0.1, 70.0, PARTS), random.uniform(0.01, 4.0, PARTS) / 1.4
 
 
 def ordinary(random):
-    return log_uniform(random, 0.01, 1e5), random.uniform(0.0, 2.5, PARTS)
+    return log_uniform(random, 0.01, 1e5, PARTS), random.uniform(0.0, 2.5, PARTS)
 
 
 def soft(random):
-    return log_uniform(random, SOFTEST, 2.0), random.uniform(0.0, 3.0, PARTS)
+    return log_uniform(random, SOFTEST, 2.0, PARTS), random.uniform(0.0, 3.0, PARTS)
 
 
 def weak(random):
-    return log_uniform(random, 1.0, 1e4), log_uniform(random, 1e-6, 2.0)
+    return log_uniform(random, 1.0, 1e4, PARTS), log_uniform(random, 1e-6, 2.0, PARTS)
 
 
 def at_the_edges(random):
@@ -63,15 +58,10 @@ def at_the_edges(random):
 
 def next_to_borders(random, farthest=-2.0):
     """At 1e-17 … 10^farthest of ψ from a change of the number of switches, found by halving."""
-    kappa = log_uniform(random, SOFTEST, STIFFEST)
-    low = log_uniform(random, WEAKEST, 1.9)
+    kappa = log_uniform(random, SOFTEST, STIFFEST, PARTS)
+    low = log_uniform(random, WEAKEST, 1.9, PARTS)
     high = np.minimum(1.999, low * 1.1)
-    below, above = (collide(kappa, psi).switches for psi in (low, high))
-    kappa, low, high, below = (a[below != above] for a in (kappa, low, high, below))
-    for _ in range(53):
-        middle = np.sqrt(low * high)
-        same = collide(kappa, middle).switches == below
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    kappa, low, _ = borders(kappa, low, high, 53)
     away = 10 ** random.uniform(-17.0, farthest, low.size) * random.choice([-1, 1], low.size)
     return kappa, low * (1.0 + away)
 
@@ -113,11 +103,6 @@ def test_what_becomes_of_a_lane_does_not_depend_on_the_others():
         assert [column[i] for column in together] == list(alone)
 
 
-@compiled
-def left_of(kappa, psi, bound, lanes, labels, epsilon_t, switches):
-    return collide_block(0, kappa.size, kappa, psi, bound, lanes, labels, epsilon_t, switches)
-
-
 def test_few_leave_where_lanes_are_meant():
     random = np.random.default_rng(5)
     left = 0
@@ -126,7 +111,7 @@ def test_few_leave_where_lanes_are_meant():
         psi = random.uniform(WEAKEST, 2.0, BLOCK)
         bound = np.full(BLOCK, 4e-15)
         outputs = np.empty(BLOCK), np.empty(BLOCK, np.int32)
-        left += left_of(kappa, psi, bound, *work_space(), *outputs)
+        left += collide_block(0, BLOCK, kappa, psi, bound, *work_space(), *outputs)
     assert left <= 100 * BLOCK / 200
 
 

@@ -18,15 +18,12 @@ from restitution.mechanics.variation import (
     largest_force_between,
     possible_range,
 )
+from samples import log_uniform
 
 DAMPINGS = pytest.mark.parametrize(
     "damping", every_day([0.0, 0.1, 100.0], of=[0.0, 1e-3, 0.1, 0.58, 3.0, 100.0])
 )
 N = 40_000
-
-
-def log_uniform(rng, low, high, size=N):
-    return np.exp(rng.uniform(np.log(low), np.log(high), size))
 
 
 def epsilon_t(kappa, psi, damping=0.0):
@@ -43,7 +40,7 @@ def around(rng, centre):
 @DAMPINGS
 def test_change_by_stiffness_is_never_exceeded_and_nearly_reached(damping):
     rng = np.random.default_rng(1)
-    kappa, psi = log_uniform(rng, 1e-3, 1e5), log_uniform(rng, 1e-4, 20.0)
+    kappa, psi = log_uniform(rng, 1e-3, 1e5, N), log_uniform(rng, 1e-4, 20.0, N)
     low, high, other = around(rng, kappa)
     force = np.full(N, largest_force(damping))
     bound = change_by_stiffness(low, kappa, high, psi, force)
@@ -56,7 +53,7 @@ def test_change_by_stiffness_is_never_exceeded_and_nearly_reached(damping):
 @DAMPINGS
 def test_change_by_velocity_is_never_exceeded_and_reached(damping):
     rng = np.random.default_rng(2)
-    kappa, psi = log_uniform(rng, 1e-3, 1e4), log_uniform(rng, 1e-3, 20.0)
+    kappa, psi = log_uniform(rng, 1e-3, 1e4, N), log_uniform(rng, 1e-3, 20.0, N)
     low, high, other = around(rng, psi)
     known = epsilon_t(kappa, psi, damping)
     least, most = change_by_velocity(Range(known, known), low, psi, high)
@@ -103,7 +100,7 @@ def test_force_changes_with_damping_no_faster_than_said(eta):
 @pytest.mark.parametrize("damping", [0.0, 0.3])
 def test_possible_range_holds_what_is_possible(damping):
     rng = np.random.default_rng(4)
-    kappa, psi = log_uniform(rng, 1e-4, 1e6), log_uniform(rng, 1e-9, 20.0)
+    kappa, psi = log_uniform(rng, 1e-4, 1e6, N), log_uniform(rng, 1e-9, 20.0, N)
     least, most, inside = around(rng, kappa)
     low, high, between = around(rng, psi)
     force = np.full(N, largest_force(damping))

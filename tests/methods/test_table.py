@@ -12,12 +12,9 @@ from restitution.mechanics.limits import FROM_TWO_ON, sliding_threshold, weak_li
 from restitution.mechanics.patches import FLOOR, SPAN, UNDIVIDED
 from restitution.methods import table
 from restitution.methods.options import Options
+from samples import borders, log_uniform
 
 LOWEST, HIGHEST = np.array([table.KAPPA_RANGE, table.PSI_RANGE]).T
-
-
-def log_uniform(rng, low, high, count):
-    return np.exp(rng.uniform(np.log(low), np.log(high), count))
 
 
 def everywhere(rng, count):
@@ -42,12 +39,7 @@ def next_to_borders(rng, count):
     kappa = log_uniform(rng, 1.0, table.KAPPA_RANGE[1], count)
     low = log_uniform(rng, table.PSI_RANGE[0], 1.9, count)
     high = np.minimum(1.999, low * 1.1)
-    below, above = (collide(kappa, psi).switches for psi in (low, high))
-    kappa, low, high, below = (a[below != above] for a in (kappa, low, high, below))
-    for _ in range(45):
-        middle = np.sqrt(low * high)
-        same = collide(kappa, middle).switches == below
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    kappa, low, _ = borders(kappa, low, high, 45)
     away = 10 ** rng.uniform(-12, -2, low.size) * rng.choice([-1, 1], low.size)
     return kappa, np.clip(low * (1.0 + away), *table.PSI_RANGE)
 

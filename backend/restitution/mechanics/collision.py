@@ -266,20 +266,6 @@ def _collide_in_lanes(
             )
 
 
-@compiled
-def _alone_in_lanes(
-    kappa: FloatArray,
-    psi: FloatArray,
-    bound: FloatArray,
-    lanes: FloatArray,
-    labels: Labels,
-    epsilon_t: FloatArray,
-    switches: npt.NDArray[np.int32],
-) -> bool:
-    """Return whether lanes take an undamped collision, (1,) as the others; fill the last two."""
-    return collide_block(0, 1, kappa, psi, bound, lanes, labels, epsilon_t, switches) == 0
-
-
 def epsilon_in_lanes(kappa: float, psi: float, bound: float) -> float | None:
     """Return ε_t of one undamped collision as `collide` has it; None if it is followed there.
 
@@ -287,8 +273,8 @@ def epsilon_in_lanes(kappa: float, psi: float, bound: float) -> float | None:
     """
     epsilon_t, switches = np.empty(1), np.empty(1, np.int32)
     given = np.array([kappa]), np.array([psi]), np.array([bound])
-    taken = _alone_in_lanes(*given, *work_space(), epsilon_t, switches)
-    return float(epsilon_t[0]) if taken else None
+    left = collide_block(0, 1, *given, *work_space(), epsilon_t, switches)
+    return None if left else float(epsilon_t[0])
 
 
 def collide(

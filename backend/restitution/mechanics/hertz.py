@@ -30,6 +30,35 @@ MAXIMUM_COMPRESSION = 1.25**0.4
 MAXIMUM_FORCE = 1.25**0.6
 """x_max^{3/2} = (5/4)^{3/5}."""
 
+ROOT_SERIES = (
+    -1.4416762309797249e-16,
+    -1.8313775130300532e-16,
+    -3.110569262038695e-14,
+    -4.4815179580112504e-13,
+    -1.6811404691834909e-11,
+    -5.0184635673411853e-11,
+    -1.9480936793763718e-8,
+    4.5480161360354913e-7,
+    -3.5671411430952919e-5,
+    1.2244897959200016e-3,
+    -0.057142857142857256,
+    1.0,
+)
+LOSS_SERIES = (
+    4.7184512079495274e-16,
+    -2.8549616602694804e-14,
+    1.2708679503167523e-12,
+    -5.1678259373177779e-11,
+    1.9973472286977422e-9,
+    -7.2194652275212761e-8,
+    2.4070184413396054e-6,
+    -7.1342822833340959e-5,
+    1.7959183673448226e-3,
+    -0.034285714285714112,
+    0.4,
+)
+"""Of √x/q and (1 − |ẋ|)/q⁵ in powers of q⁵, the highest first."""
+
 
 class Instant(NamedTuple):
     """The normal motion at one instant, in the units of the contact."""
@@ -45,6 +74,15 @@ class Instant(NamedTuple):
     `falling`."""
     passed: float
     """Time since the start; to the end, if `falling`."""
+
+
+@compiled
+def polynomial(coefficients: tuple[float, ...], x: float) -> float:
+    """Return a polynomial by Horner's rule, the coefficient of its highest power first."""
+    value = coefficients[0]
+    for i in range(1, len(coefficients)):
+        value = value * x + coefficients[i]
+    return value
 
 
 @compiled
@@ -70,27 +108,4 @@ def normal_motion(q: float) -> tuple[float, float]:
     """
     square = q * q
     w = square * square * q
-    root = -1.4416762309797249e-16
-    root = root * w - 1.8313775130300532e-16
-    root = root * w - 3.110569262038695e-14
-    root = root * w - 4.4815179580112504e-13
-    root = root * w - 1.6811404691834909e-11
-    root = root * w - 5.0184635673411853e-11
-    root = root * w - 1.9480936793763718e-8
-    root = root * w + 4.5480161360354913e-7
-    root = root * w - 3.5671411430952919e-5
-    root = root * w + 1.2244897959200016e-3
-    root = root * w - 0.057142857142857256
-    root = root * w + 1.0
-    loss = 4.7184512079495274e-16
-    loss = loss * w - 2.8549616602694804e-14
-    loss = loss * w + 1.2708679503167523e-12
-    loss = loss * w - 5.1678259373177779e-11
-    loss = loss * w + 1.9973472286977422e-9
-    loss = loss * w - 7.2194652275212761e-8
-    loss = loss * w + 2.4070184413396054e-6
-    loss = loss * w - 7.1342822833340959e-5
-    loss = loss * w + 1.7959183673448226e-3
-    loss = loss * w - 0.034285714285714112
-    loss = loss * w + 0.4
-    return q * root, w * loss
+    return q * polynomial(ROOT_SERIES, w), w * polynomial(LOSS_SERIES, w)

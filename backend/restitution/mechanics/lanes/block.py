@@ -15,8 +15,6 @@ from restitution.mechanics.lanes.rows import (
     KAPPA,
     LARGEST,
     LATE,
-    LATE_KAPPA,
-    LATE_PSI,
     LEFT,
     LOSS,
     OMEGA,
@@ -81,7 +79,7 @@ def collide_block(
         slide(whole(count), lanes)
         stick_from_compression(whole(count), lanes)
         count, leaving = leave(count, lanes, labels, leaving, epsilon_t, switches)
-    count = join(count, late, lanes, labels, error_bound)
+    count = join(count, late, kappa, psi, error_bound, lanes, labels)
     while count > 0:
         fill_lanes(count, lanes)
         slide(whole(count), lanes)
@@ -127,7 +125,6 @@ def enter(
             count += 1
         else:
             labels[LATE + late] = j
-            lanes[LATE_KAPPA + late], lanes[LATE_PSI + late] = k, p
             late += 1
     return count, late, leaving
 
@@ -157,12 +154,20 @@ def put(
 
 
 @compiled
-def join(count: int, late: int, lanes: FloatArray, labels: Labels, error_bound: FloatArray) -> int:
+def join(
+    count: int,
+    late: int,
+    kappa: FloatArray,
+    psi: FloatArray,
+    error_bound: FloatArray,
+    lanes: FloatArray,
+    labels: Labels,
+) -> int:
     """Return the number of lanes after those that waited have joined."""
     for i in range(late):
-        j, k, p = labels[LATE + i], lanes[LATE_KAPPA + i], lanes[LATE_PSI + i]
-        put(count, lanes, labels, j, k, p, error_bound[j])
-        lanes[REACH + count] = k * (2.0 - p)
+        j = labels[LATE + i]
+        put(count, lanes, labels, j, kappa[j], psi[j], error_bound[j])
+        lanes[REACH + count] = kappa[j] * (2.0 - psi[j])
         count += 1
     return count
 

@@ -5,6 +5,40 @@ import math
 import numpy as np
 
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.hertz import polynomial
+
+SINE = (
+    1.58962301576546568060e-10,
+    -2.50507477628578072866e-8,
+    2.75573136213857245213e-6,
+    -1.98412698295895385996e-4,
+    8.33333333332211858878e-3,
+    -1.66666666666666307295e-1,
+)
+COSINE = (
+    -1.13585365213876817300e-11,
+    2.08757008419747316778e-9,
+    -2.75573141792967388112e-7,
+    2.48015872888517045348e-5,
+    -1.38888888888730564116e-3,
+    4.16666666666665929218e-2,
+)
+"""Of fdlibm: sin r = r + r³ … and cos r = 1 − r²/2 + r⁴ …, in powers of r², for |r| up to π/4."""
+
+ARCTANGENT = (
+    -1.0 / 23.0,
+    1.0 / 21.0,
+    -1.0 / 19.0,
+    1.0 / 17.0,
+    -1.0 / 15.0,
+    1.0 / 13.0,
+    -1.0 / 11.0,
+    1.0 / 9.0,
+    -1.0 / 7.0,
+    1.0 / 5.0,
+    -1.0 / 3.0,
+)
+"""Of Taylor's series, atan t = t + t³ …, in powers of t²."""
 
 
 @compiled
@@ -20,28 +54,13 @@ def halley(value: float, first: float, second: float) -> tuple[float, float]:
 
 @compiled
 def sine_and_cosine(phase: float) -> tuple[float, float]:
-    """Return both of a phase up to 1e5, within 3e-16.
-
-    Coefficients of fdlibm, whose polynomials hold within π/4.
-    """
+    """Return both of a phase up to 1e5, within 3e-16."""
     quarter = np.rint(phase * 0.6366197723675814)
     # π/2 in two parts, the first so short that its product is exact
     rest = (phase - quarter * 1.5707963267341256) - quarter * 6.077100506506192e-11
     z = rest * rest
-    sine = 1.58962301576546568060e-10
-    sine = sine * z - 2.50507477628578072866e-8
-    sine = sine * z + 2.75573136213857245213e-6
-    sine = sine * z - 1.98412698295895385996e-4
-    sine = sine * z + 8.33333333332211858878e-3
-    sine = sine * z - 1.66666666666666307295e-1
-    sine = rest + rest * z * sine
-    cosine = -1.13585365213876817300e-11
-    cosine = cosine * z + 2.08757008419747316778e-9
-    cosine = cosine * z - 2.75573141792967388112e-7
-    cosine = cosine * z + 2.48015872888517045348e-5
-    cosine = cosine * z - 1.38888888888730564116e-3
-    cosine = cosine * z + 4.16666666666665929218e-2
-    cosine = 1.0 - 0.5 * z + z * z * cosine
+    sine = rest + rest * z * polynomial(SINE, z)
+    cosine = 1.0 - 0.5 * z + z * z * polynomial(COSINE, z)
     # odd quarters exchange them, those after a half turn both
     half = np.floor(0.5 * quarter)
     odd = quarter - 2.0 * half
@@ -81,19 +100,8 @@ def arctangent(y: float, x: float) -> float:
     """Return atan2(y, x) within 1e-9, for y ≥ 0 and x > 0."""
     large = y > x
     ratio = (x if large else y) / (y if large else x)
-    # of half the angle, Taylor's series up to t²³
+    # of half the angle
     t = ratio / (1.0 + math.sqrt(1.0 + ratio * ratio))
     z = t * t
-    series = -1.0 / 23.0
-    series = series * z + 1.0 / 21.0
-    series = series * z - 1.0 / 19.0
-    series = series * z + 1.0 / 17.0
-    series = series * z - 1.0 / 15.0
-    series = series * z + 1.0 / 13.0
-    series = series * z - 1.0 / 11.0
-    series = series * z + 1.0 / 9.0
-    series = series * z - 1.0 / 7.0
-    series = series * z + 1.0 / 5.0
-    series = series * z - 1.0 / 3.0
-    angle = 2.0 * (t + t * z * series)
+    angle = 2.0 * (t + t * z * polynomial(ARCTANGENT, z))
     return 0.5 * math.pi - angle if large else angle

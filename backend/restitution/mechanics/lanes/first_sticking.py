@@ -16,6 +16,7 @@ from restitution.mechanics.hertz import (
     MAXIMUM_FORCE,
     FloatArray,
     normal_motion,
+    polynomial,
 )
 from restitution.mechanics.lanes.elementary import arctangent, cube_root, sine_and_cosine
 from restitution.mechanics.lanes.rows import (
@@ -46,6 +47,19 @@ from restitution.mechanics.switching import MONOTONE_STIFFNESS, ROUNDING
 FALL_ERROR = 3e-6
 """Of the time at which the cap has fallen to the amplitude: a swing is certain that ends farther
 from it."""
+
+FALL_RATIO = (
+    0.002687881563974586,
+    -0.015620259429567082,
+    0.04260996246064673,
+    -0.07619735963344404,
+    0.10831673592058222,
+    -0.14286740462289785,
+    0.1976849470382798,
+    -0.32972514719203583,
+    1.213110646007697,
+)
+"""Of `fall_ratio`, in powers of |ẋ|, the highest first: `tests/mechanics/fit_guesses.py`."""
 
 CLOSE = 1e-8
 """A comparison is in doubt below it: far beyond what `arctangent` leaves out."""
@@ -108,15 +122,7 @@ def find_fall(i: int, lanes: FloatArray) -> None:
 @compiled
 def fall_ratio(rate: float) -> float:
     """Return q/√x where |ẋ| is `rate`, within 1e-6: a fit to `normal_motion`."""
-    ratio = 0.002687881563974586
-    ratio = ratio * rate - 0.015620259429567082
-    ratio = ratio * rate + 0.04260996246064673
-    ratio = ratio * rate - 0.07619735963344404
-    ratio = ratio * rate + 0.10831673592058222
-    ratio = ratio * rate - 0.14286740462289785
-    ratio = ratio * rate + 0.1976849470382798
-    ratio = ratio * rate - 0.32972514719203583
-    return ratio * rate + 1.213110646007697
+    return polynomial(FALL_RATIO, rate)
 
 
 @compiled

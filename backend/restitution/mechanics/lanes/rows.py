@@ -73,18 +73,14 @@ HIGH = 21 * ROOM
 LARGEST = 11 * ROOM
 """The largest reach of sliding in the compression; of collisions that are not in lanes yet."""
 
-# Collisions whose first sliding ends in the decompression: they wait for the others to get there.
-LATE_KAPPA = 22 * ROOM
-LATE_PSI = 23 * ROOM
-
-ROWS = 24 * ROOM
+ROWS = 22 * ROOM
 """Size of the array."""
 
 # Rows of whole numbers; the first says which collision is in a lane.
 COUNT = 1 * ROOM
 """Switches so far."""
 LATE = 2 * ROOM
-"""Which collisions wait."""
+"""Which collisions wait: their first sliding ends in the decompression."""
 LEFT = 3 * ROOM
 """Which have left."""
 LABELS = 4 * ROOM

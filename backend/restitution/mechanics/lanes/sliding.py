@@ -3,9 +3,18 @@
 import math
 
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.hertz import HALF_CONTACT_ROOT, FloatArray, normal_motion
+from restitution.mechanics.hertz import (
+    HALF_CONTACT_ROOT,
+    LOSS_SERIES,
+    ROOT_SERIES,
+    FloatArray,
+    normal_motion,
+    polynomial,
+)
 from restitution.mechanics.lanes.elementary import fifth_root, halley
 from restitution.mechanics.lanes.rows import DOUBT, KAPPA, LOSS, REACH, ROOT, Q
+
+ROUGH_ROOT, ROUGH_LOSS = ROOT_SERIES[-4:], LOSS_SERIES[-4:]
 
 SHORT = 3e-6
 """Last step up to which a lane stays, over q and in phase: `arrive` leaves out its third power."""
@@ -79,9 +88,7 @@ def rough_motion(q: float) -> tuple[float, float]:
     """Return `normal_motion` within 1e-3, by the first terms of its polynomials."""
     square = q * q
     w = square * square * q
-    root = ((-3.5671411430952919e-5 * w + 1.2244897959200016e-3) * w - 0.057142857142857256) * w
-    loss = ((-7.1342822833340959e-5 * w + 1.7959183673448226e-3) * w - 0.034285714285714112) * w
-    return q * (root + 1.0), w * (loss + 0.4)
+    return q * polynomial(ROUGH_ROOT, w), w * polynomial(ROUGH_LOSS, w)
 
 
 @compiled

@@ -3,7 +3,7 @@
 import math
 
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.hertz import HALF_CONTACT_ROOT, FloatArray, normal_motion
+from restitution.mechanics.hertz import HALF_CONTACT_ROOT, FloatArray, normal_motion, polynomial
 from restitution.mechanics.lanes.elementary import halley, sine_and_cosine
 from restitution.mechanics.lanes.rows import (
     BEGIN,
@@ -18,6 +18,52 @@ from restitution.mechanics.lanes.rows import (
     Q,
 )
 from restitution.mechanics.lanes.sliding import SHORT, arrive, is_last
+
+PHASE_CONSTANT = (
+    12.707659372350655,
+    -77.47799254425561,
+    164.25983476572432,
+    -158.5014484199596,
+    76.27874892576425,
+    -25.843171735366035,
+    10.718631693656373,
+    -3.0253405398350095,
+    3.131956899389598,
+)
+PHASE_LINEAR = (
+    -208.75414513210808,
+    755.3928020613184,
+    -1100.2969161293101,
+    823.8200065521431,
+    -338.4899020118468,
+    76.3391682279499,
+    -8.482822304510172,
+    0.6963430942154121,
+    0.020046450065066796,
+)
+PHASE_SQUARE = (
+    234.12265174444397,
+    -779.5277207488886,
+    1049.0749973170336,
+    -737.9030196902683,
+    293.2353213347836,
+    -66.12798637429442,
+    7.922232186220811,
+    -0.3463168804251525,
+    -0.01098533688073533,
+)
+PHASE_CUBE = (
+    -69.47903498943201,
+    217.49259954307885,
+    -274.9036397759563,
+    183.07995268157828,
+    -69.69571344556843,
+    15.410554409212512,
+    -1.968468323959825,
+    0.12936685400713296,
+    0.0015759563386229017,
+)
+"""Of `guessed_phase`, in powers of its m, the highest first: `tests/mechanics/fit_guesses.py`."""
 
 
 @compiled
@@ -99,40 +145,6 @@ def guessed_phase(phase: float, fifth: float) -> float:
     `switching.sticking_end_in_decompression` for κ = 0.1 … 10⁵.
     """
     m = 1.0 / math.sqrt(1.0 + phase)
-    constant = 12.707659372350655
-    constant = constant * m - 77.47799254425561
-    constant = constant * m + 164.25983476572432
-    constant = constant * m - 158.5014484199596
-    constant = constant * m + 76.27874892576425
-    constant = constant * m - 25.843171735366035
-    constant = constant * m + 10.718631693656373
-    constant = constant * m - 3.0253405398350095
-    constant = constant * m + 3.131956899389598
-    linear = -208.75414513210808
-    linear = linear * m + 755.3928020613184
-    linear = linear * m - 1100.2969161293101
-    linear = linear * m + 823.8200065521431
-    linear = linear * m - 338.4899020118468
-    linear = linear * m + 76.3391682279499
-    linear = linear * m - 8.482822304510172
-    linear = linear * m + 0.6963430942154121
-    linear = linear * m + 0.020046450065066796
-    square = 234.12265174444397
-    square = square * m - 779.5277207488886
-    square = square * m + 1049.0749973170336
-    square = square * m - 737.9030196902683
-    square = square * m + 293.2353213347836
-    square = square * m - 66.12798637429442
-    square = square * m + 7.922232186220811
-    square = square * m - 0.3463168804251525
-    square = square * m - 0.01098533688073533
-    cube = -69.47903498943201
-    cube = cube * m + 217.49259954307885
-    cube = cube * m - 274.9036397759563
-    cube = cube * m + 183.07995268157828
-    cube = cube * m - 69.69571344556843
-    cube = cube * m + 15.410554409212512
-    cube = cube * m - 1.968468323959825
-    cube = cube * m + 0.12936685400713296
-    cube = cube * m + 0.0015759563386229017
+    constant, linear = polynomial(PHASE_CONSTANT, m), polynomial(PHASE_LINEAR, m)
+    square, cube = polynomial(PHASE_SQUARE, m), polynomial(PHASE_CUBE, m)
     return phase / (phase + 3.0) * (constant + fifth * (linear + fifth * (square + fifth * cube)))
