@@ -217,6 +217,7 @@ def _rules(of: Any) -> list[_Rule]:
     return [rule for rule in rules if rule]
 
 
+@functools.cache
 def _rule(name: str, annotation: Any) -> _Rule | None:
     parts = members(annotation)
     kinds = [plain(part) for part in parts]
@@ -251,7 +252,7 @@ def _settled(rule: _Rule, value: Any) -> Any:
         return tuple(parts)
     if kind and low <= as_float(value) <= high and kind(value) == value:
         return kind(value) + kind(0)
-    if isinstance(value, classes) or any(value is word or value == word for word in words):
+    if value in words or isinstance(value, classes):
         return value
     raise ParameterError(name, value, requirement(annotation))
 

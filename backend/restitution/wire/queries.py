@@ -4,7 +4,7 @@ import functools
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Any, Literal
 
 from annotated_types import Ge, Gt, Le
 
@@ -33,13 +33,6 @@ from restitution.wire.several import Several
 
 QUICK_ROWS = 2500
 """Of an answer: with all columns of a trace four milliseconds, most of them for writing them."""
-
-Part = TypeVar("Part")
-
-
-def part(whole: Any, of: type[Part]) -> Part:
-    """Return the members of `whole` that make an object `of` its own."""
-    return of(**{name: getattr(whole, name) for name in annotations(of)})
 
 
 @closed
@@ -73,8 +66,8 @@ class ComputedQuery(Damped, Options, FormQuery):
 
     @functools.cached_property
     def options(self) -> Options:
-        """What the methods take of it."""
-        return replace(part(self, Options), damping=self.eta)
+        """What the methods take: the query itself, unless η is to be found."""
+        return self if self.normal_restitution is None else replace(self, damping=self.eta)
 
     @property
     def wanted(self) -> tuple[str, ...]:
@@ -101,7 +94,7 @@ class CollisionQuery(ComputedQuery):
     def is_quick(self) -> bool:
         """Whether it is computed and written in some milliseconds."""
         switches = switches_to_follow(self.kappa, psi_of(self.mu_over_alpha, self.gt_over_gn))
-        quick = is_quick(switches, part(self, Options), damped=self.is_damped)
+        quick = is_quick(switches, self, damped=self.is_damped)
         return quick and self.rows(switches) <= QUICK_ROWS
 
     def rows(self, switches: float) -> float:

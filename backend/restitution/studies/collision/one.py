@@ -3,6 +3,7 @@
 import contextlib
 import functools
 import itertools
+import math
 from collections.abc import Collection
 from dataclasses import dataclass, replace
 from typing import Annotated, NamedTuple, cast
@@ -146,7 +147,7 @@ class CollisionStudy:
 def followed_motion(parameters: CollisionParameters) -> Motion | None:
     """Return the episodes of a collision; None for those that have no spring: ψ = 0 or ∞."""
     psi = parameters.psi
-    if not 0.0 < psi < np.inf:
+    if not 0.0 < psi < math.inf:
         return None
     return motion(parameters.kappa, psi, damping=parameters.damping)
 
@@ -278,16 +279,16 @@ def _course(parameters: CollisionParameters, episode_limit: int) -> _Course:
         phase = np.sqrt(parameters.kappa) * duration if resting else 0.0
         slope = Sensitivity(float(-0.5 * phase * np.sin(phase)), 0.0)
         return _Course(1, 1.0, 0, slope, [only][:episode_limit])
-    listed = zip(path.start, path.end, path.direction, strict=True)
+    starts = path.start.tolist()
+    ends = [*starts[1:], duration]
+    listed = zip(starts, ends, path.direction.tolist(), strict=True)
     return _Course(
-        path.switches + 1,
-        float(path.end[0]) / duration,
+        len(starts),
+        ends[0] / duration,
         reversals(path),
         Sensitivity(*sensitivity(path)),
         [
-            Episode(
-                "sliding" if direction else "sticking", float(start), float(end), int(direction)
-            )
+            Episode("sliding" if direction else "sticking", start, end, direction)
             for start, end, direction in itertools.islice(listed, episode_limit)
         ],
     )
@@ -303,8 +304,10 @@ def _summary(outcome: _Outcome, course: _Course | None, parameters: CollisionPar
 
 def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
     lost = (1.0 - epsilon_t) * (1.0 + epsilon_t)
-    with np.errstate(over="ignore", under="ignore"):
-        initial = float(0.5 * np.float64(gt_over_gn) ** 2)
+    try:
+        initial = 0.5 * gt_over_gn**2
+    except OverflowError:
+        initial = math.inf
     return Energy(initial, epsilon_t * epsilon_t * initial, lost * initial, lost)
 
 
