@@ -314,9 +314,14 @@ def misfits(of: Any, given: Mapping[str, Any]) -> Iterator[Misfit]:
 
     A class says them as a static method `misfits` of what is given.
     """
-    for each in reversed(getattr(of, "__mro__", ())):
-        if "misfits" in vars(each):
-            yield from each.misfits(given)
+    for each in _misfits(of):
+        yield from each(given)
+
+
+@functools.cache
+def _misfits(of: Any) -> list[Callable[[Mapping[str, Any]], Iterator[Misfit]]]:
+    classes = reversed(getattr(of, "__mro__", ()))
+    return [each.misfits for each in classes if "misfits" in vars(each)]
 
 
 def _settle_and_fit(made: Any) -> None:

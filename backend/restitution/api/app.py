@@ -58,7 +58,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_middleware(OpenDoors)
     app.add_middleware(HeadersAndHead)
     for room in ROOMS:
-        app.include_router(room.calls)
+        # as they are: of a router that is included FastAPI asks for the route twice
+        app.router.routes += room.calls.routes
     app.include_router(service.health)
     observe(app, log_requests=settings.log_requests)
     app.add_middleware(BelowPath, settings.root_path, settings.forwarded_allow_ips)

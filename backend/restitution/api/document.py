@@ -162,11 +162,12 @@ def about() -> dict[str, Any]:
         # relative to the document, which may stand below any path of a proxy
         "servers": [{"url": "./", "description": "this server"}],
         "openapi_tags": TAGS,
-        "generate_unique_id_function": _operation_id,
+        "generate_unique_id_function": operation_id,
     }
 
 
-def _operation_id(route: APIRoute) -> str:
+def operation_id(route: APIRoute) -> str:
+    """Return what an operation is called in the document."""
     return route.name
 
 
