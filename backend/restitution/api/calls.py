@@ -19,7 +19,7 @@ from fastapi import APIRouter, Request, Response
 from fastapi.routing import APIRoute
 from starlette.exceptions import HTTPException
 from starlette.responses import StreamingResponse
-from starlette.routing import request_response
+from starlette.types import Receive, Scope, Send
 
 from restitution.api import document
 from restitution.api.admission import admission_of
@@ -54,11 +54,12 @@ class CallRoute(APIRoute):
     def __init__(self, *given: Any, **more: Any) -> None:
         super().__init__(*given, **more)
 
-        async def handle(request: Request) -> Response:
-            response: Response = await self.endpoint(request, **request.path_params)
-            return response
+        async def handle(scope: Scope, receive: Receive, send: Send) -> None:
+            request = Request(scope, receive, send)
+            response = await self.endpoint(request, **request.path_params)
+            await response(scope, receive, send)
 
-        self.app = request_response(handle)
+        self.app = handle
 
 
 class Calls(APIRouter):
@@ -225,7 +226,8 @@ async def respond(
     """
     tag = entity_tag(request.scope["path"], query, version)
     headers = {"ETag": tag, "Cache-Control": "public, max-age=86400"}
-    if known := known_tag(tag, request.headers.get("if-none-match", "")):
+    at_hand = request.headers.get("if-none-match")
+    if at_hand and (known := known_tag(tag, at_hand)):
         return Response(None, 304, headers | {"ETag": known})
     work = functools.partial(_computed, request, query, compute, headers)
     admission = admission_of(request)

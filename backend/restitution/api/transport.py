@@ -31,6 +31,8 @@ HEADERS = {
     "Content-Security-Policy": "default-src 'none'; frame-ancestors 'none'",
 }
 
+RAW_HEADERS = [(name.lower().encode(), value.encode()) for name, value in HEADERS.items()]
+
 
 class Compression:
     """Compress with gzip, at level 1 and where it pays.
@@ -72,12 +74,8 @@ class HeadersAndHead:
 
         async def with_headers(message: Message) -> None:
             if message["type"] == "http.response.start":
-                present = Headers(raw=message["headers"])
-                message["headers"] += [
-                    (name.lower().encode(), value.encode())
-                    for name, value in HEADERS.items()
-                    if name not in present
-                ]
+                present = {name for name, _ in message["headers"]}
+                message["headers"] += [each for each in RAW_HEADERS if each[0] not in present]
             elif head:
                 message = {**message, "body": b""}
             await send(message)
@@ -105,9 +103,10 @@ class BelowPath:
     def _path(self, scope: Scope) -> str:
         """Return what a proxy says that may say so, else what was set."""
         said = Headers(scope=scope).get("x-forwarded-prefix", "").rstrip("/")
+        if not re.fullmatch(PATH, said):
+            return self._root_path
         client = scope.get("client")
-        is_believed = (client[0] if client else None) in self._proxies
-        return said if is_believed and re.fullmatch(PATH, said) else self._root_path
+        return said if (client[0] if client else None) in self._proxies else self._root_path
 
 
 class OpenDoors(CORSMiddleware):

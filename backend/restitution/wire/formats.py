@@ -133,8 +133,11 @@ def _typed(value: object) -> object:
 
 def typed_array(values: npt.NDArray[Any]) -> orjson.Fragment:
     """Return an array as Plotly takes it: dtype, shape, little-endian base64."""
-    if values.dtype.kind == "f" and not np.isfinite(values).all():
-        values = np.where(np.isfinite(values), values, np.nan)
+    if values.dtype.kind == "f":
+        finite = np.isfinite(values)
+        # half the work of `all`, which is Python in numpy
+        if np.count_nonzero(finite) < values.size:
+            values = np.where(finite, values, np.nan)
     little = np.ascontiguousarray(values, values.dtype.newbyteorder("<"))
     shape = ",".join(map(str, values.shape))
     # written by hand, for orjson would look through every character of the base64

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from annotated_types import Ge, Gt, Le
 
-from restitution.bounds import Meaning, Misfit, Words, annotations, closed, values
+from restitution.bounds import Meaning, Misfit, Words, annotations, closed
 from restitution.mechanics.contact import MOST_DAMPING
 from restitution.mechanics.scaled_velocity import psi_of
 from restitution.methods.options import Options, WantedError
@@ -387,6 +387,11 @@ def as_understood(query: Damped, **more: Any) -> dict[str, Any]:
 
     Of ε_n in place of the damping there is left what was found.
     """
-    others = FORM | {"normal_restitution"}
-    understood = {name: value for name, value in values(query).items() if name not in others}
+    of: Any = type(query)
+    understood = {name: getattr(query, name) for name in _understood(of)}
     return understood | {"damping": query.eta} | more
+
+
+@functools.cache
+def _understood(query: Any) -> list[str]:
+    return [n for n in annotations(query) if n not in FORM and n != "normal_restitution"]

@@ -107,6 +107,8 @@ def _given_again(pairs: Sequence[tuple[str, str]]) -> list[Entry]:
 def _with(errors: list[Entry], more: Iterator[Entry]) -> list[Entry]:
     """Return errors and more of them; a rule knows better why a member is to be left out."""
     reasons = {entry["parameter"]: entry for entry in more}
+    if not errors:
+        return [*reasons.values()]
     joined = [
         reasons.pop(error["parameter"], error)
         if error["requirement"].startswith(UNKNOWN)
