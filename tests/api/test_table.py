@@ -151,7 +151,7 @@ def test_wrong_parameters_are_named(service, parameters, name, words):
     [{"kappa_count": 10**6}, {"kappa_count": 10**12, "psi_count": 10**12},
      {"kappa_min": 1e13, "kappa_max": 1e14, "psi_max": 1}, {"error": 1e-9},
      {"kappa_min": 5e-324, "kappa_max": 1.7e308, "psi_min": 5e-324, "psi_max": 1.7e308},
-     {"damping_max": 1}, {"damping_max": 1, "damping_count": 10**12},
+     {"damping_max": 1, "damping_count": 99}, {"damping_max": 1, "damping_count": 10**12},
      {"damping_max": 1e30, "damping_count": 10**5, "kappa_count": 2, "psi_count": 2},
      {"damping_max": 1e30, "error": 1e-6},
      {"kappa_min": 1e13, "kappa_max": 1e14, "psi_max": 1, "damping": 0.1}],

@@ -21,7 +21,8 @@ import numpy as np
 from record import RUNS, median, report
 from solver import solve_with_events
 
-from restitution.mechanics import collision, contact, damped_normal_motion
+from restitution.mechanics import collision, contact
+from restitution.mechanics.damped import preparing
 from restitution.mechanics.lanes.rows import work_space
 from restitution.methods import planner, table
 from restitution.methods.options import Options
@@ -100,10 +101,12 @@ def damping_figures(eta: float = 0.1) -> dict[str, float]:
     for name, axes in (("linear grid", linear), ("κ .3…400, ψ .05…3", scattered)):
         kappa, psi = (axis.ravel() for axis in axes)
         outputs = [np.empty(kappa.size, t) for t in (float, np.int32, np.bool_, float)]
-        run = [contact.contact_of(eta), MOST_SWITCHES, kappa, psi, *outputs]
-        seconds = median(lambda run=run: collision._collide_each(*run))
-        figures[f"damped collision, {name}, µs CPU"] = 1e6 * seconds / kappa.size
-    prepare = median(lambda: damped_normal_motion.prepare(eta, damped_normal_motion.MOST_STEPS), 51)
+        run = [contact.contact_of(eta), float(MOST_SWITCHES), kappa, psi, *outputs]
+        alone = median(lambda run=run: collision._collide_each(*run))
+        in_lanes = median(lambda run=run: collision._collide_in_lanes(*run, *work_space()))
+        figures[f"damped collision, {name}, µs CPU"] = 1e6 * alone / kappa.size
+        figures[f"damped in lanes, {name}, µs CPU"] = 1e6 * in_lanes / kappa.size
+    prepare = median(lambda: preparing.prepare(eta, preparing.MOST_STEPS), 51)
     return figures | {"preparing a new η, ms CPU": 1e3 * prepare}
 
 

@@ -18,9 +18,9 @@ ANY = "*"
 
 
 def functions() -> dict[str, ast.FunctionDef]:
-    """Those of the mechanics, by module and name."""
+    """Those of the mechanics, by path of the module and name."""
     return {
-        f"{path.stem}.{node.name}": node
+        f"{path.relative_to(FOLDER).with_suffix('')}.{node.name}": node
         for path in FOLDER.rglob("*.py")
         for node in ast.parse(path.read_text()).body
         if isinstance(node, ast.FunctionDef)

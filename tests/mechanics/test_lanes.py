@@ -7,10 +7,11 @@ from fit_guesses import phases
 from restitution.mechanics import collision
 from restitution.mechanics.collision import MOST_SWITCHES, Collision, collide
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.contact import ELASTIC
+from restitution.mechanics.contact import contact_of, rounding_bound
 from restitution.mechanics.hertz import HALF_CONTACT_ROOT, normal_motion
 from restitution.mechanics.lanes import elementary
-from restitution.mechanics.lanes.block import SOFTEST, STIFFEST, WEAKEST, collide_block
+from restitution.mechanics.lanes.block import SOFTEST, STIFFEST, WEAKEST
+from restitution.mechanics.lanes.damped.block import MOST_PIECES, softest_in_lanes
 from restitution.mechanics.lanes.first_sticking import fall_ratio
 from restitution.mechanics.lanes.rows import BLOCK, work_space
 from restitution.mechanics.lanes.sliding import largest_reach
@@ -20,8 +21,10 @@ from samples import borders, log_uniform
 
 PARTS = 200_000
 
+DAMPINGS = [1e-9, 1e-3, 0.1, 0.6, 1.0]
 
-def followed(kappa, psi):
+
+def followed(kappa, psi, damping=0.0):
     """One after the other."""
     found = Collision(
         np.empty(kappa.size),
@@ -29,7 +32,7 @@ def followed(kappa, psi):
         np.empty(kappa.size, np.bool_),
         np.empty(kappa.size),
     )
-    collision._collide_each(ELASTIC, float(MOST_SWITCHES), kappa, psi, *found)
+    collision._collide_each(contact_of(damping), float(MOST_SWITCHES), kappa, psi, *found)
     return found
 
 
@@ -66,8 +69,8 @@ def next_to_borders(random, farthest=-2.0):
     return kappa, low * (1.0 + away)
 
 
-def assert_as_followed(kappa, psi):
-    found, true = collide(kappa, psi), followed(kappa, psi)
+def assert_as_followed(kappa, psi, damping=0.0):
+    found, true = collide(kappa, psi, damping), followed(kappa, psi, damping)
     assert np.array_equal(found.error_bound, true.error_bound)
     assert np.all(np.abs(found.epsilon_t - true.epsilon_t) <= true.error_bound)
     # certain in lanes, certain for whoever looks twice
@@ -92,27 +95,77 @@ def test_millions_in_lanes_are_as_followed(sample):
         assert_as_followed(*sample(np.random.default_rng(seed)))
 
 
-def test_what_becomes_of_a_lane_does_not_depend_on_the_others():
+DAMPED_PARTS = 20_000
+
+
+def damped(sample, seed, damping):
+    """The same collisions as without damping, with κ in the units of the contact."""
+    random = np.random.default_rng(seed)
+    kappa, psi = (a[:DAMPED_PARTS] for a in sample(random))
+    return kappa * contact_of(damping).unit ** 2, psi
+
+
+def next_to_damped_borders(random, damping, farthest=-2.0):
+    """As `next_to_borders`, of the counts with damping."""
+    contact = contact_of(damping)
+    softest = softest_in_lanes(contact)
+    kappa = log_uniform(random, softest, STIFFEST, DAMPED_PARTS) * contact.unit**2
+    low = log_uniform(random, WEAKEST, 0.95 * contact.impulse, DAMPED_PARTS)
+    high = np.minimum(0.9995 * contact.impulse, low * 1.1)
+    kappa, low, _ = borders(kappa, low, high, 53, damping)
+    away = 10 ** random.uniform(-17.0, farthest, low.size) * random.choice([-1, 1], low.size)
+    return kappa, low * (1.0 + away)
+
+
+def assert_damped_as_followed(seed, damping):
+    for sample in (figure_4, ordinary, weak, at_the_edges):
+        assert_as_followed(*damped(sample, seed, damping), damping)
+    assert_as_followed(*next_to_damped_borders(np.random.default_rng(seed), damping), damping)
+
+
+@pytest.mark.parametrize("damping", DAMPINGS)
+def test_damped_lanes_are_as_followed(damping):
+    assert_damped_as_followed(11, damping)
+
+
+@pytest.mark.verify
+def test_millions_in_damped_lanes_are_as_followed():
+    random = np.random.default_rng(12)
+    for seed in range(25):
+        assert_damped_as_followed(seed, float(log_uniform(random, 1e-6, 30.0, 1)[0]))
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.1, 3.0])
+def test_what_becomes_of_a_lane_does_not_depend_on_the_others(damping):
     kappa, psi = (a[:20_000] for a in ordinary(np.random.default_rng(3)))
-    together = collide(kappa, psi)
+    together = collide(kappa, psi, damping)
     order = np.random.default_rng(4).permutation(kappa.size)
-    for column, shuffled in zip(together, collide(kappa[order], psi[order]), strict=True):
-        assert np.array_equal(column[order], shuffled)
+    shuffled = collide(kappa[order], psi[order], damping)
+    for column, other in zip(together, shuffled, strict=True):
+        assert np.array_equal(column[order], other)
     for i in range(0, kappa.size, 500):
-        alone = collide(kappa[i], psi[i])
+        alone = collide(kappa[i], psi[i], damping)
         assert [column[i] for column in together] == list(alone)
 
 
-def test_few_leave_where_lanes_are_meant():
+@pytest.mark.parametrize(
+    ("damping", "share"), [(0.0, 0.005), (1e-3, 0.02), (0.1, 0.01), (1.0, 0.05)]
+)
+def test_few_leave_where_lanes_are_meant(damping, share):
     random = np.random.default_rng(5)
-    left = 0
-    for _ in range(100):
+    contact, left, blocks = contact_of(damping), 0, 50
+    for _ in range(blocks):
         kappa = log_uniform(random, MONOTONE_STIFFNESS, STIFFEST, BLOCK)
         psi = random.uniform(WEAKEST, 2.0, BLOCK)
-        bound = np.full(BLOCK, 4e-15)
-        outputs = np.empty(BLOCK), np.empty(BLOCK, np.int32)
-        left += collide_block(0, BLOCK, kappa, psi, bound, *work_space(), *outputs)
-    assert left <= 100 * BLOCK / 200
+        bound = np.array([rounding_bound(contact, *one) for one in zip(kappa, psi, strict=True)])
+        given = 0, BLOCK, kappa, psi, bound, *work_space()
+        left += collision.collide_block(contact, *given, np.empty(BLOCK), np.empty(BLOCK, np.int32))
+    assert left <= share * blocks * BLOCK
+
+
+def test_contacts_that_last_too_long_are_not_for_lanes():
+    pieces = [contact_of(damping).pieces.shape[0] for damping in (30.0, 60.0)]
+    assert pieces[0] <= MOST_PIECES < pieces[1]
 
 
 @compiled

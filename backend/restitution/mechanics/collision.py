@@ -20,6 +20,7 @@ from restitution.interruption import pause
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import (
     Contact,
+    by_contact,
     contact_of,
     energy_bound,
     expected_switches,
@@ -28,9 +29,10 @@ from restitution.mechanics.contact import (
     spring_in,
     sticking_end,
 )
-from restitution.mechanics.elastic import Elastic
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.lanes.block import MOST_IN_LANES, collide_block
+from restitution.mechanics.lanes import block
+from restitution.mechanics.lanes.block import MOST_IN_LANES
+from restitution.mechanics.lanes.damped import block as damped_block
 from restitution.mechanics.lanes.rows import BLOCK, LEFT, Labels, work_space
 from restitution.mechanics.scaled_velocity import WEAKEST
 
@@ -62,6 +64,9 @@ EPISODE = np.dtype(
     ]
 )
 """The beginning of an episode: q, u, whether the normal force falls, sign of the spring, regime."""
+
+
+collide_block = by_contact(block.collide_block, damped_block.collide_block)
 
 
 class Collision(NamedTuple):
@@ -241,7 +246,7 @@ def _collide_each(
 
 @compiled
 def _collide_in_lanes(
-    contact: Elastic,
+    contact: Contact,
     most_switches: float,
     kappa: FloatArray,
     psi: FloatArray,
@@ -258,7 +263,9 @@ def _collide_in_lanes(
         end = min(begin + BLOCK, kappa.size)
         for i in range(begin, end):
             bound[i], certain[i] = rounding_bound(contact, kappa[i], psi[i]), True
-        left = collide_block(begin, end, kappa, psi, bound, lanes, labels, epsilon_t, switches)
+        left = collide_block(
+            contact, begin, end, kappa, psi, bound, lanes, labels, epsilon_t, switches
+        )
         for i in range(left):
             j = labels[LEFT + i]
             epsilon_t[j], switches[j], certain[j], bound[j] = _collide_one(
@@ -266,14 +273,14 @@ def _collide_in_lanes(
             )
 
 
-def epsilon_in_lanes(kappa: float, psi: float, bound: float) -> float | None:
-    """Return ε_t of one undamped collision as `collide` has it; None if it is followed there.
+def epsilon_in_lanes(contact: Contact, kappa: float, psi: float, bound: float) -> float | None:
+    """Return ε_t of one collision as `collide` has it; None if it is followed there.
 
     `bound` is its `rounding_bound`.
     """
     epsilon_t, switches = np.empty(1), np.empty(1, np.int32)
     given = np.array([kappa]), np.array([psi]), np.array([bound])
-    left = collide_block(0, 1, *given, *work_space(), epsilon_t, switches)
+    left = collide_block(contact, 0, 1, *given, *work_space(), epsilon_t, switches)
     return None if left else float(epsilon_t[0])
 
 
@@ -325,14 +332,14 @@ def collide(
     columns: tuple[npt.NDArray[Any], ...] = *flat, epsilon_t, switches, certain, bound
 
     # a lower limit asks of each how many switches it will have
-    elastic = contact if isinstance(contact, Elastic) and most >= MOST_IN_LANES else None
-    part = PART_IN_LANES if elastic else PART
+    in_lanes = most >= MOST_IN_LANES
+    part = PART_IN_LANES if in_lanes else PART
 
     def fill(begin: int) -> None:
         mine: tuple[Any, ...] = tuple(column[begin : begin + part] for column in columns)
-        if elastic:
+        if in_lanes:
             mine += work_space()
-            _collide_in_lanes(elastic, most, *mine)
+            _collide_in_lanes(contact, most, *mine)
         else:
             _collide_each(contact, most, *mine)
 

@@ -14,15 +14,11 @@ from collections.abc import Callable
 from typing import Concatenate, ParamSpec, TypeVar
 
 from restitution.errors import ParameterError
-from restitution.mechanics import damped_sliding, elastic, viscoelastic
+from restitution.mechanics import elastic, viscoelastic
 from restitution.mechanics.compiled import chosen_by_type
-from restitution.mechanics.damped_normal_motion import (
-    MOST_STEPS,
-    Viscoelastic,
-    damped_motion,
-    prepare,
-    rate_at,
-)
+from restitution.mechanics.damped import sliding
+from restitution.mechanics.damped.motion import Viscoelastic, damped_motion, rate_at
+from restitution.mechanics.damped.preparing import MOST_STEPS, prepare
 from restitution.mechanics.elastic import Elastic
 from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
 
@@ -71,7 +67,7 @@ def by_contact(
 
 
 spring_in = by_contact(elastic.spring_in, viscoelastic.spring_in)
-sliding_end = by_contact(elastic.sliding_end, damped_sliding.sliding_end)
+sliding_end = by_contact(elastic.sliding_end, sliding.sliding_end)
 sticking_end = by_contact(elastic.sticking_end, viscoelastic.sticking_end)
 expected_switches = by_contact(elastic.expected_switches, viscoelastic.expected_switches)
 rounding_bound = by_contact(elastic.rounding_bound, viscoelastic.rounding_bound)

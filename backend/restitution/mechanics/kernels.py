@@ -7,6 +7,7 @@ from typing import Any
 
 import numba
 from numba.core.caching import CompileResultCacheImpl, FunctionCache, IndexDataCacheFile
+from numba.core.compiler_lock import global_compiler_lock
 from numba.extending import overload
 
 from restitution.mechanics import cache
@@ -100,12 +101,36 @@ class _KernelCache(FunctionCache):
         return found
 
 
-def compile_lazily(function: Callable[..., Any]) -> Any:
-    """Return what compiles `function` for each kind of arguments, or loads what was compiled."""
+def _compile_in_columns(kernel: Any) -> None:
+    """Let LLVM look for operations side by side when it compiles `kernel`."""
+    compile_alone = kernel._compiler.compile  # noqa: SLF001
+
+    config: Any = numba.config
+
+    def compile_in_columns(*given: Any) -> Any:
+        # numba knows it as a choice for all kernels alone
+        with global_compiler_lock:
+            before, config.SLP_VECTORIZE = config.SLP_VECTORIZE, 1
+            try:
+                return compile_alone(*given)
+            finally:
+                config.SLP_VECTORIZE = before
+
+    kernel._compiler.compile = compile_in_columns  # noqa: SLF001
+
+
+def compile_lazily(function: Callable[..., Any], is_in_columns: bool) -> Any:
+    """Return what compiles `function` for each kind of arguments, or loads what was compiled.
+
+    `is_in_columns` as in `compiled.compiled_in_columns`.
+    """
     compiler: Any = numba.njit(nogil=True, error_model="numpy")
     kernel: Any = compiler(function)
     # where `enable_caching` puts numba's own
     kernel._cache = _KernelCache(function)  # noqa: SLF001
+    # without a compiler, where NUMBA_DISABLE_JIT leaves Python alone
+    if is_in_columns and hasattr(kernel, "_compiler"):
+        _compile_in_columns(kernel)
     return kernel
 
 

@@ -29,7 +29,6 @@ from restitution.mechanics.contact import (
     expected_switches,
     rounding_bound,
 )
-from restitution.mechanics.elastic import Elastic
 from restitution.mechanics.hertz import FloatArray
 
 
@@ -207,10 +206,9 @@ def motion(
         if switches < room:
             break
         room = switches + 1
-    if isinstance(contact, Elastic):
-        # in a list it has the same, to the last digit
-        in_lanes = epsilon_in_lanes(kappa, wanted, bound)
-        epsilon_t = epsilon_t if in_lanes is None else in_lanes
+    # in a list it has the same, to the last digit
+    in_lanes = epsilon_in_lanes(contact, kappa, wanted, bound)
+    epsilon_t = epsilon_t if in_lanes is None else in_lanes
     episodes, passed = episodes[: switches + 1], passed[: switches + 1]
     start = np.where(episodes["falling"], contact.duration - passed, passed) / contact.unit
     return Motion(

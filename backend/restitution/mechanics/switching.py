@@ -29,18 +29,17 @@ from restitution.mechanics.hertz import (
     MAXIMUM_FORCE,
     normal_motion,
 )
+from restitution.mechanics.roots import (
+    CONVERGED,
+    MOST_STEPS,
+    NEGLIGIBLE,
+    ROUNDING,
+    newton_within,
+)
 
 MONOTONE_STIFFNESS = 1.56845932888691
 """(21/10 x_max^{5/2} − 3/4)/x_max², rounded up: from here on r > 0 during the whole contact."""
 
-ROUNDING = 2.220446049250313e-16
-"""Distance from 1 to the next double."""
-
-CONVERGED = 1e-9
-"""Relative Newton step after which the iteration is over: what is left is its square."""
-
-NEGLIGIBLE = 1e-100
-"""A root this near to an end of the contact is the end: x^{3/2} = 1e-300 there."""
 
 FAINT = 1e-9
 """Force of a spring that the cap meets within the last thousandth of the contact."""
@@ -54,8 +53,6 @@ SOFTEST_EXTREMUM = 0.8327964596497018
 LINEAR = 1e-30
 """Below it R is 1.5 q: the rest, about κq⁵, is below 1e-90 of it where collisions are followed."""
 
-MOST_NEWTON_STEPS, MOST_STEPS = 40, 120
-"""Halving the exponent from 1 to `NEGLIGIBLE`, and on to the last digit, takes 62 of them."""
 
 SLIDING_TO_THE_END, COMPRESSING, DECOMPRESSING = 0, 1, 2
 
@@ -76,24 +73,6 @@ class Spring(NamedTuple):
     """Time until which it does."""
     error: float
     """Bound on the rounding error of the surface velocity: two motions only approach each other."""
-
-
-@compiled
-def newton_within(
-    n: int, q: float, value: float, slope: float, low: float, high: float
-) -> tuple[float, bool]:
-    """Return the next q of a Newton iteration kept in a bracket, and whether it is the root."""
-    step = value / slope
-    if abs(step) <= CONVERGED * q:
-        return q - step, True
-    following = q - step
-    # where rounding in a large phase √κ t outweighs `value`, or both underflow, only the bracket
-    # still shrinks, over powers of ten first
-    if n >= MOST_NEWTON_STEPS and high > 4.0 * low:
-        following = math.sqrt(max(low, 0.01 * NEGLIGIBLE) * high)
-    elif n >= MOST_NEWTON_STEPS or not low <= following <= high:
-        following = 0.5 * (low + high)
-    return following, high - low <= ROUNDING * high or high < NEGLIGIBLE
 
 
 @compiled

@@ -1,14 +1,14 @@
 """The contact with damping: its normal motion, its events, and what bounds ε_t.
 
-The events are those of `damped_sliding` and `damped_sticking`. Parameters are κ and ψ as in
+The events are those of `damped.sliding` and `damped.sticking`. Parameters are κ and ψ as in
 `elastic`, the contact without damping, and η = (3/2) A β^{2/5} g_n^{1/5}.
 """
 
 import math
 
-from restitution.mechanics import damped_sliding, damped_sticking
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.damped_normal_motion import Viscoelastic, damped_motion
+from restitution.mechanics.damped import sliding, sticking
+from restitution.mechanics.damped.motion import Viscoelastic, damped_motion
 from restitution.mechanics.elastic import NO_LESS
 from restitution.mechanics.hertz import Instant
 from restitution.mechanics.scaled_velocity import WEAKEST
@@ -43,7 +43,7 @@ def expected_switches(contact: Viscoelastic, kappa: float, psi: float) -> float:
     most: float = 5.0 + 2.0 * omega * contact.duration / math.pi
     if most < FEW:
         return most
-    fallen = damped_sticking.cap_fall_time(contact, max(psi, WEAKEST) * omega)
+    fallen = sticking.cap_fall_time(contact, max(psi, WEAKEST) * omega)
     lacking = contact.impulse - psi
     low, high = 0.0, contact.falling_end
     for _ in range(30):
@@ -84,7 +84,7 @@ def rounding_bound(contact: Viscoelastic, kappa: float, psi: float) -> float:
 def spring_in(contact: Viscoelastic, kappa: float, psi: float) -> Spring:
     """Return the spring of a stiffness κ as in the API in a collision of one ψ."""
     stiffness = scaled_stiffness(contact, kappa)
-    begin, end = damped_sliding.outrun(contact, stiffness)
+    begin, end = sliding.outrun(contact, stiffness)
     error = rounding_bound(contact, kappa, psi) * psi
     return Spring(stiffness, math.sqrt(stiffness), begin, end, error)
 
@@ -100,7 +100,7 @@ def sticking_end(
     omega = spring.omega
     if q == 0.0 and not falling:
         # docs/model.md, "Events with damping", Sticking 4: from the touch on
-        falling, q, side, pull, certain = damped_sticking.sticking_end(
+        falling, q, side, pull, certain = sticking.sticking_end(
             contact, spring, 0.0, 0.0, omega * velocity
         )
         return falling, q, side, pull / omega, certain and spring.stiffness > SOFTEST
@@ -109,13 +109,13 @@ def sticking_end(
     if falling and contact.duration - time >= spring.bend_end:
         # Sticking 3: on the other side
         side, certain = -1, True
-        q, pull = damped_sticking.sticking_end_while_falling(
+        q, pull = sticking.sticking_end_while_falling(
             contact, omega, time, force, omega * abs(velocity)
         )
     else:
         # Sticking 1 and 2, or as long as r changes its sign each stretch by itself
         start = contact.duration - time if falling else time
-        falling, q, side, pull, certain = damped_sticking.sticking_end(
+        falling, q, side, pull, certain = sticking.sticking_end(
             contact, spring, start, force, omega * velocity
         )
     return falling, q, side, pull / omega, certain
@@ -131,6 +131,6 @@ def at_place(contact: Viscoelastic, falling: bool, q: float) -> Instant:
 @compiled
 def at_time(contact: Viscoelastic, time: float) -> Instant:
     """Return the normal motion at a time scaled by t_scale."""
-    falling, q = damped_sliding.at_time(contact, time * contact.unit)
+    falling, q = sliding.at_time(contact, time * contact.unit)
     root, cap, loss, passed = damped_motion(contact, falling, q)
     return Instant(falling, root, cap, loss, passed)

@@ -15,5 +15,5 @@ Quantities and equations are those of `switching`. Roots are found otherwise: fr
 that was fitted, by a fixed number of Halley's steps, the last of which says how good the ones
 before were. A lane leaves for `follow` if that step was long, or if rounding could have a say in
 any comparison; so lanes need no word on certainty, for what stays is certain. What becomes of a
-lane never depends on those beside it.
+lane never depends on those beside it. `lanes.damped` has those with damping.
 """

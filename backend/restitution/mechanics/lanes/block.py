@@ -6,6 +6,7 @@ import numpy as np
 import numpy.typing as npt
 
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.elastic import Elastic
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.lanes.first_sticking import CLOSE, stick_from_compression
 from restitution.mechanics.lanes.rows import (
@@ -43,6 +44,7 @@ MOST_IN_LANES = 128
 
 @compiled
 def collide_block(
+    _: Elastic,
     begin: int,
     end: int,
     kappa: FloatArray,

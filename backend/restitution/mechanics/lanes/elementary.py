@@ -42,14 +42,11 @@ ARCTANGENT = (
 
 
 @compiled
-def halley(value: float, first: float, second: float) -> tuple[float, float]:
-    """Return Halley's step from a function's value and derivatives, to be subtracted.
-
-    Also how much of Newton's step the second derivative changes: beside a double root, where a
-    short step does not say that the root is near, it is a large part.
-    """
-    change = 0.5 * value * second / (first * first)
-    return value / (first * (1.0 - change)), change
+def within(x: float, low: float, high: float) -> float:
+    """Return x or the end of the interval that it is beyond; `low` for what is no number."""
+    # not min and max, which hand on what is no number
+    above = x if x > low else low  # noqa: FURB136
+    return above if above < high else high  # noqa: FURB136
 
 
 @compiled

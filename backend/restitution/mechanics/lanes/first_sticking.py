@@ -41,8 +41,9 @@ from restitution.mechanics.lanes.rows import (
     Q,
 )
 from restitution.mechanics.lanes.sliding import arrive
-from restitution.mechanics.lanes.sticking import meet_cap, spring_at, step_to_cap
-from restitution.mechanics.switching import MONOTONE_STIFFNESS, ROUNDING
+from restitution.mechanics.lanes.sticking import meet_cap, spring_after, step_to_cap
+from restitution.mechanics.roots import ROUNDING
+from restitution.mechanics.switching import MONOTONE_STIFFNESS
 
 FALL_ERROR = 3e-6
 """Of the time at which the cap has fallen to the amplitude: a swing is certain that ends farther
@@ -80,13 +81,13 @@ def stick_from_compression(count: int, lanes: FloatArray) -> None:
         for i in range(count):
             side, q = lanes[SIDE + i], lanes[Q + i]
             root, loss = normal_motion(q)
-            spring, moving = spring_at(i, lanes, q)
+            spring, moving = spring_after(i, lanes, lanes[BEGIN + i] - q * q)
             step, _ = step_to_cap(lanes[OMEGA + i], q, root, loss, side * spring, side * moving)
             lanes[Q + i] = min(max(q - step, lanes[LOW + i]), lanes[HIGH + i])
     for i in range(count):
         side, q = lanes[SIDE + i], lanes[Q + i]
         root, loss = normal_motion(q)
-        spring, moving = spring_at(i, lanes, q)
+        spring, moving = spring_after(i, lanes, lanes[BEGIN + i] - q * q)
         step, change = step_to_cap(lanes[OMEGA + i], q, root, loss, side * spring, side * moving)
         meet_cap(i, lanes, q, step, change, side * spring, side * moving)
         arrive(i, lanes, q, root, loss, step)

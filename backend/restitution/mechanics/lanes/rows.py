@@ -73,7 +73,19 @@ HIGH = 21 * ROOM
 LARGEST = 11 * ROOM
 """The largest reach of sliding in the compression; of collisions that are not in lanes yet."""
 
-ROWS = 22 * ROOM
+# With damping.
+CAP = 22 * ROOM
+"""Normal force over √x."""
+PASSED = 23 * ROOM
+"""Time to the nearer end of the contact."""
+NODE = 24 * ROOM
+"""Last piece of the motion before a root, counted from the nearer end."""
+GAP = 25 * ROOM
+"""P − κz where spring and cap are closest."""
+PAST = 26 * ROOM
+"""Swings of the spring in which it is known not to meet the cap."""
+
+ROWS = 27 * ROOM
 """Size of the array."""
 
 # Rows of whole numbers; the first says which collision is in a lane.
@@ -83,7 +95,9 @@ LATE = 2 * ROOM
 """Which collisions wait: their first sliding ends in the decompression."""
 LEFT = 3 * ROOM
 """Which have left."""
-LABELS = 4 * ROOM
+RESTING = 4 * ROOM
+"""Which, with damping, do not meet the cap early."""
+LABELS = 5 * ROOM
 """Size of the array."""
 
 _own = threading.local()

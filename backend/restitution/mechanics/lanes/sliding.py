@@ -11,16 +11,11 @@ from restitution.mechanics.hertz import (
     normal_motion,
     polynomial,
 )
-from restitution.mechanics.lanes.elementary import fifth_root, halley
+from restitution.mechanics.lanes.elementary import fifth_root
 from restitution.mechanics.lanes.rows import DOUBT, KAPPA, LOSS, REACH, ROOT, Q
+from restitution.mechanics.roots import halley, is_last
 
 ROUGH_ROOT, ROUGH_LOSS = ROOT_SERIES[-4:], LOSS_SERIES[-4:]
-
-SHORT = 3e-6
-"""Last step up to which a lane stays, over q and in phase: `arrive` leaves out its third power."""
-
-LITTLE = 1e-17
-"""What may be left to the root after it, over q."""
 
 
 @compiled
@@ -104,12 +99,6 @@ def step_to_reach(
     growth = kappa * square * root + 0.75 * speed - 1.5 * square * square
     bend = rate * (1.5 * kappa * root - 4.5 * square - 0.375 * speed / square)
     return halley(value, 2.0 * q * growth, 2.0 * growth + 4.0 * q * q * bend)
-
-
-@compiled
-def is_last(q: float, step: float, change: float) -> bool:
-    """Return whether a step of Halley's leads to the root: its error is about change² × step."""
-    return abs(step) <= SHORT * q and change * change * abs(step) <= LITTLE * q
 
 
 @compiled

@@ -4,7 +4,7 @@ import math
 
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.hertz import HALF_CONTACT_ROOT, FloatArray, normal_motion, polynomial
-from restitution.mechanics.lanes.elementary import halley, sine_and_cosine
+from restitution.mechanics.lanes.elementary import sine_and_cosine
 from restitution.mechanics.lanes.rows import (
     BEGIN,
     DOUBT,
@@ -17,7 +17,8 @@ from restitution.mechanics.lanes.rows import (
     TOWARDS,
     Q,
 )
-from restitution.mechanics.lanes.sliding import SHORT, arrive, is_last
+from restitution.mechanics.lanes.sliding import arrive
+from restitution.mechanics.roots import SHORT, halley, is_last
 
 PHASE_CONSTANT = (
     12.707659372350655,
@@ -85,22 +86,22 @@ def stick_in_decompression(count: int, lanes: FloatArray) -> None:
     for i in range(count):
         q = lanes[Q + i]
         root, loss = normal_motion(q)
-        spring, moving = spring_at(i, lanes, q)
+        spring, moving = spring_after(i, lanes, lanes[BEGIN + i] - q * q)
         step, _ = step_to_cap(lanes[OMEGA + i], q, root, loss, spring, moving)
         lanes[Q + i] = min(max(q - step, 0.5 * q), HALF_CONTACT_ROOT)
     for i in range(count):
         q = lanes[Q + i]
         root, loss = normal_motion(q)
-        spring, moving = spring_at(i, lanes, q)
+        spring, moving = spring_after(i, lanes, lanes[BEGIN + i] - q * q)
         step, change = step_to_cap(lanes[OMEGA + i], q, root, loss, spring, moving)
         meet_cap(i, lanes, q, step, change, spring, moving)
         arrive(i, lanes, q, root, loss, step)
 
 
 @compiled
-def spring_at(i: int, lanes: FloatArray, q: float) -> tuple[float, float]:
-    """Return κz and κu/ω of lane i, which sticks, at q in the decompression."""
-    sine, cosine = sine_and_cosine(lanes[OMEGA + i] * (lanes[BEGIN + i] - q * q))
+def spring_after(i: int, lanes: FloatArray, time: float) -> tuple[float, float]:
+    """Return κz and κu/ω of lane i after it has stuck for a time."""
+    sine, cosine = sine_and_cosine(lanes[OMEGA + i] * time)
     force, pull = lanes[FORCE + i], lanes[PULL + i]
     return force * cosine + pull * sine, pull * cosine - force * sine
 

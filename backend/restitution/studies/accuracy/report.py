@@ -69,10 +69,8 @@ beside the common rule of fifty steps of velocity Verlet, and what Verlet takes 
 """
 
 MANY = """
-Damped collisions are followed one by one: there fifty steps are cheaper.
-
-**A billion collisions** of Fig. 4, drawn at random, took 79 s on two shared cores (148 s of CPU,
-`collide` of two million at a time, November 2026), 28 minutes with one η. What bounds them is
+**A billion collisions** of Fig. 4, drawn at random, took 60 s on two shared cores (103 s of CPU,
+`collide` of two million at a time, November 2026), with one η 117 s. What bounds them is
 arithmetic: every core adds its share, in this process or as a worker of Dask (`restitution table
 --store`), until what comes out, 21 bytes of each, is more than a disk or a network takes in.
 """

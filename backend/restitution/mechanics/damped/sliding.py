@@ -9,18 +9,18 @@ r = κP + P̈ (docs/model.md, "Events with damping"):
 * Sliding ends where the reach κ(1 − V) + Ṗ, whose rate is r, has grown enough.
 """
 
-import math
-
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.damped_normal_motion import (
+from restitution.mechanics.damped.motion import (
     Viscoelastic,
-    cap_bend,
-    cap_slope,
+    cap_rate,
+    cap_slopes,
     curvature_at,
     damped_motion,
+    guessed_place,
     rate_at,
 )
-from restitution.mechanics.switching import MOST_STEPS, NOWHERE, ROUNDING, Spring, newton_within
+from restitution.mechanics.roots import MOST_STEPS, ROUNDING, halley_within, newton_within
+from restitution.mechanics.switching import NOWHERE, Spring
 
 BESIDE = 1e-9
 """Relative distance below which κ may be on either side of an extremum of −P̈/P."""
@@ -43,16 +43,16 @@ def place(contact: Viscoelastic, falling: bool, time: float) -> float:
     if time >= longest:
         return end
     low, high = 0.0, end
-    # without damping q² is the time; at the end P = 0, and R is what the damping has left
-    root, _, _, _ = damped_motion(contact, falling, 0.0)
-    q = min(time / (root + math.sqrt(root * root + time)), end)
+    q = min(max(guessed_place(contact, falling, time), 0.0), end)
     for n in range(MOST_STEPS):
-        root, _, _, passed = damped_motion(contact, falling, q)
+        root, _, loss, passed = damped_motion(contact, falling, q)
+        rate = rate_at(contact, falling, loss)
         if passed > time:
             high = q
         else:
             low = q
-        q, found = newton_within(n, q, passed - time, 2.0 * root, low, high)
+        bend = -2.0 * rate if falling else 2.0 * rate
+        q, found = halley_within(n, q, passed - time, 2.0 * root, bend, low, high)
         if found:
             return min(max(q, 0.0), end)
     raise ArithmeticError("the place of a time in the contact was not found")
@@ -80,14 +80,18 @@ def _curvature_root(
     contact: Viscoelastic, kappa: float, low: float, high: float, sign: float
 ) -> float:
     """Return the time at which −P̈/P passes κ between two positions, rising for `sign` 1."""
-    # to 1e-8: what depends on it is at an extremum there
-    for _ in range(27):
-        middle = 0.5 * (low + high)
-        if sign * (curvature_at(contact, middle) - kappa) < 0.0:
-            low = middle
+    position = 0.5 * (low + high)
+    for n in range(MOST_STEPS):
+        curvature, slope = curvature_at(contact, position)
+        value = curvature - kappa
+        if sign * value < 0.0:
+            low = position
         else:
-            high = middle
-    return position_time(contact, 0.5 * (low + high))
+            high = position
+        position, found = newton_within(n, position, value, slope, low, high)
+        if found:
+            return position_time(contact, min(max(position, low), high))
+    raise ArithmeticError("where the cap outruns the spring was not found")
 
 
 @compiled
@@ -117,7 +121,7 @@ def has_ended(
     kappa = spring.stiffness
     root, cap, loss, _ = damped_motion(contact, falling, q)
     rate = rate_at(contact, falling, loss)
-    slope = cap_slope(contact.a, contact.b, root, rate, cap)
+    slope, _, _ = cap_slopes(contact.a, contact.b, root, rate, cap)
     double = 2.0 * root * kappa
     excess = double * (loss - target) + slope
     if falling:
@@ -126,6 +130,34 @@ def has_ended(
     terms += double * (loss + abs(target))
     rounding = double * spring.error + rounding_of(contact) * terms
     return excess >= 0.0, abs(excess) > rounding
+
+
+@compiled
+def excess_of(
+    contact: Viscoelastic,
+    sense: float,
+    kappa: float,
+    target: float,
+    root: float,
+    cap: float,
+    loss: float,
+    rate: float,
+) -> tuple[float, float, float]:
+    """Return 2R(κL + |Ṗ| − κ `target`) and its first two derivatives by q.
+
+    `sense` is −1 in the falling half, where q runs back in time, else 1.
+    """
+    slope, bend, twist = cap_slopes(contact.a, contact.b, root, rate, cap)
+    excess = kappa * (loss - target)
+    square = root * root
+    # 2R²C is what q takes from L
+    taking = 2.0 * square * cap
+    growing = cap_rate(contact.a, contact.b, root, rate, cap)
+    value = 2.0 * root * excess + sense * slope
+    first = 2.0 * sense * rate * excess + 2.0 * kappa * root * taking + bend
+    second = sense * twist - 2.0 * taking * excess
+    second += 4.0 * sense * kappa * root * (4.0 * root * rate * cap + square * growing)
+    return value, first, second
 
 
 @compiled
@@ -138,20 +170,12 @@ def sliding_root(
     for n in range(MOST_STEPS):
         root, cap, loss, _ = damped_motion(contact, falling, q)
         rate = rate_at(contact, falling, loss)
-        slope = cap_slope(contact.a, contact.b, root, rate, cap)
-        bend = cap_bend(contact.a, contact.b, root, rate, cap)
-        excess = kappa * (loss - target)
-        value = 2.0 * root * excess + sense * slope
-        gradient = (
-            2.0 * sense * rate * excess
-            + 4.0 * kappa * root * root * root * cap
-            + (rate * slope + bend) / root
-        )
+        value, first, second = excess_of(contact, sense, kappa, target, root, cap, loss, rate)
         if value > 0.0:
             high = q
         else:
             low = q
-        q, found = newton_within(n, q, value, gradient, low, high)
+        q, found = halley_within(n, q, value, first, second, low, high)
         if found:
             return min(max(q, low), high)
     raise ArithmeticError("the end of sliding was not found")
@@ -190,7 +214,7 @@ def sliding_end(
         if rising_ends or has_ended(contact, spring, target, lacking, False, high)[0]:
             q = sliding_root(contact, kappa, target, False, q, high)
             root, cap, spent, _ = damped_motion(contact, False, q)
-            slope = cap_slope(contact.a, contact.b, root, 1.0 - spent, cap)
+            slope, _, _ = cap_slopes(contact.a, contact.b, root, 1.0 - spent, cap)
             velocity = 0.5 * slope / root / kappa if kappa > 1.0 else target - spent
             return True, False, q, velocity, certain
         high = contact.falling_end
@@ -198,6 +222,6 @@ def sliding_end(
         return False, True, 0.0, -lacking, certain
     q = sliding_root(contact, kappa, lacking, True, end, high)
     root, cap, loss, _ = damped_motion(contact, True, q)
-    slope = cap_slope(contact.a, contact.b, root, rate_at(contact, True, loss), cap)
+    slope, _, _ = cap_slopes(contact.a, contact.b, root, rate_at(contact, True, loss), cap)
     velocity = 0.5 * slope / root / kappa if kappa > 1.0 else min(loss - lacking, 0.0)
     return True, True, q, velocity, certain

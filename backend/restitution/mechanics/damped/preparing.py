@@ -1,82 +1,29 @@
-"""The normal motion of one η as pieces of Taylor series, from the touch to the end of the force.
-
-In τ with dt = 2√x dτ the motion of `viscoelastic` is polynomial, for R = √x and V = ẋ:
-
-    R' = V,   V' = −2R²C,   C = aR² + bV,   t' = 2R;   normal force P = RC
-
-with a = 1 and b = η. From η = 1 on all is counted in other units, lengths and times in η^{-2/3} and
-forces in η^{2/3}, where a = η^{-5/3} and b = 1: nothing then leaves the double range. Near both
-ends of the contact τ is what √t is without damping; R, C and the velocity spent are analytic in
-the distance q from either end, whatever η, and keep all digits there. The contact is halved where
-the force is largest, into one half in which it rises and one in which it falls.
-"""
+"""What one η makes of the contact: its motion, piece by piece, and the shape of its force."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from restitution.mechanics.compiled import compiled
+from restitution.mechanics.damped.motion import (
+    ORDER,
+    STEP,
+    STRONGEST,
+    TERMS,
+    Viscoelastic,
+    cap_slopes,
+    curvature_at,
+    damped_motion,
+    near_end,
+    summed,
+)
 from restitution.mechanics.hertz import FloatArray
-
-STEP = 0.125
-"""Distance of the points in q about which the motion is expanded."""
-
-TERMS = 14
-"""Of a piece, up to `STEP`/2 on either side of its point."""
-
-ORDER = 24
-"""Of the series that lead over a whole `STEP`."""
 
 MOST_STEPS = 2000
 """Of a survey; the longest, at `viscoelastic.MOST_DAMPING`, takes 711."""
 
-STRONGEST = 1e150
-"""ψ above which ε_t is 1 to double precision: what the cap takes is at most 2."""
-
 NO_VALLEY_VALUE = 1e-20
 """η below which the curvature at its local minimum, −.35/η², is only known to be negative."""
-
-
-class Viscoelastic(NamedTuple):
-    """The contact of one η > 0 in its own units, see the module; what kernels take."""
-
-    pieces: FloatArray
-    """Coefficients [piece][power][column], the columns being those of `damped_motion`; first the
-    pieces of the rising half."""
-    rising: int
-    """Number of pieces of the rising half."""
-    a: float
-    b: float
-    unit: float
-    """η^{2/3} from η = 1 on, else 1: how many of these units of time make one t_scale."""
-    rising_end: float
-    """q where the force is largest, from the start."""
-    falling_end: float
-    """The same from the end."""
-    duration: float
-    impulse: float
-    """1 + ε_n, all that sliding can take from the surface velocity."""
-    last_rate: float
-    """V at the end, −ε_n."""
-    peak_time: float
-    """Time of the largest force."""
-    peak: float
-    """The largest force."""
-    last_slope: float
-    """|dP/dt| at the end."""
-    valley: float
-    """Position of the local minimum of −P̈/P, see `damped_sliding`; negative if there is none."""
-    valley_value: float
-    ridge: float
-    """Position of its local maximum."""
-    ridge_value: float
-    begins_sliding: bool
-    """False: the cap rises as √t at first, the spring's force as t."""
-    strongest: float
-    """ψ above which the collision is followed as one of this ψ."""
-    least_load: float
-    """κψ above which the number of switches is that of the η which this contact stands for."""
 
 
 @compiled
@@ -109,81 +56,13 @@ def expand(
 
 
 @compiled
-def summed(series: FloatArray, distance: float) -> tuple[float, float, float, float]:
-    """Return the four columns of a series at a distance from its point."""
-    n = series.shape[0] - 1
-    root, cap, loss, time = series[n, 0], series[n, 1], series[n, 2], series[n, 3]
-    for k in range(n - 1, -1, -1):
-        root = root * distance + series[k, 0]
-        cap = cap * distance + series[k, 1]
-        loss = loss * distance + series[k, 2]
-        time = time * distance + series[k, 3]
-    return root, cap, loss, time
-
-
-@compiled
-def damped_motion(
-    contact: Viscoelastic, falling: bool, q: float
-) -> tuple[float, float, float, float]:
-    """Return R, C, velocity spent or yet to be spent, time from the start or to the end, at q."""
-    piece = int(q / STEP + 0.5)
-    distance = q - piece * STEP
-    if falling:
-        piece += contact.rising
-    pieces = contact.pieces
-    n = TERMS - 1
-    root, cap = pieces[piece, n, 0], pieces[piece, n, 1]
-    loss, time = pieces[piece, n, 2], pieces[piece, n, 3]
-    for k in range(n - 1, -1, -1):
-        root = root * distance + pieces[piece, k, 0]
-        cap = cap * distance + pieces[piece, k, 1]
-        loss = loss * distance + pieces[piece, k, 2]
-        time = time * distance + pieces[piece, k, 3]
-    return root, cap, loss, time
-
-
-@compiled
-def rate_at(contact: Viscoelastic, falling: bool, loss: float) -> float:
-    """Return V from the velocity spent."""
-    return contact.last_rate + loss if falling else 1.0 - loss
-
-
-@compiled
-def cap_slope(a: float, b: float, root: float, rate: float, cap: float) -> float:
-    """Return 2R dP/dt = dP/dτ, which is finite at the start, where dP/dt is not."""
-    return rate * (cap + 2.0 * a * root * root) - 2.0 * b * root * root * root * cap
-
-
-@compiled
-def cap_bend(a: float, b: float, root: float, rate: float, cap: float) -> float:
-    """Return 2R² · 2R d²P/dt², finite at the start as well."""
-    square = root * root
-    return (
-        4.0 * a * rate * rate * square
-        - rate * rate * cap
-        - 6.0 * b * square * root * rate * cap
-        - 2.0 * square * root * cap * cap
-        + 4.0 * square * square * root * (b * b * root * cap - a * cap - a * b * rate)
-    )
-
-
-@compiled
-def curvature(contact: Viscoelastic, falling: bool, q: float) -> float:
-    """Return −P̈/P at q, the stiffness below which the cap would outrun a spring at it."""
-    root, cap, loss, _ = damped_motion(contact, falling, q)
-    rate = rate_at(contact, falling, loss)
-    square = root * root
-    return -cap_bend(contact.a, contact.b, root, rate, cap) / (4.0 * square * square * cap)
-
-
-@compiled
 def _ends(
     a: float, b: float, series: FloatArray, rate: float, distance: float
 ) -> tuple[float, float]:
     """Return what is positive until the end of the contact, and until the largest force."""
-    root, cap, gain, _ = summed(series, distance)
+    root, cap, gain, _ = summed(series, ORDER, distance)
     rate += gain
-    slope = cap_slope(a, b, root, rate, cap)
+    slope, _, _ = cap_slopes(a, b, root, rate, cap)
     if a < 1.0:
         return cap, slope
     # without cancellation however small the damping is: the end as a root of R
@@ -216,14 +95,14 @@ def _survey(a: float, b: float, limit: int) -> tuple[float, float, float, float]
             peak = i * STEP + _within_step(a, b, series, rate, 1)
         if over <= 0.0:
             distance = _within_step(a, b, series, rate, 0)
-            root, _, gain, _ = summed(series, distance)
+            root, _, gain, _ = summed(series, ORDER, distance)
             rate += gain
             if a < 1.0:
                 rate = -a * root * root / b
             else:
                 root = math.sqrt(-b * rate / a)
             return peak, i * STEP + distance, root, rate
-        root, cap, gain, _ = summed(series, STEP)
+        root, cap, gain, _ = summed(series, ORDER, STEP)
         # each from the other where it does not cancel
         if a < 1.0:
             rate = (cap - a * root * root) / b
@@ -247,7 +126,7 @@ def _fill(
             pieces[i, k, 0], pieces[i, k, 1] = series[k, 0], series[k, 1]
             pieces[i, k, 2], pieces[i, k, 3] = -sense * series[k, 2], series[k, 3]
         pieces[i, 0, 2], pieces[i, 0, 3] = spent, passed
-        root, cap, gain, time = summed(series, STEP)
+        root, cap, gain, time = summed(series, ORDER, STEP)
         spent -= sense * gain
         passed += time
         rate = first - sense * spent
@@ -259,20 +138,11 @@ def _bump(contact: Viscoelastic, low: float, high: float, sign: float) -> float:
     share = 0.3819660112501051
     for _ in range(40):
         left, right = low + share * (high - low), high - share * (high - low)
-        if sign * curvature_at(contact, left) > sign * curvature_at(contact, right):
+        if sign * curvature_at(contact, left)[0] > sign * curvature_at(contact, right)[0]:
             high = right
         else:
             low = left
     return 0.5 * (low + high)
-
-
-@compiled
-def curvature_at(contact: Viscoelastic, position: float) -> float:
-    """Return `curvature` at a distance in τ from the start."""
-    left = contact.rising_end + contact.falling_end - position
-    if position <= contact.rising_end:
-        return curvature(contact, False, position)
-    return curvature(contact, True, left)
 
 
 @compiled
@@ -295,7 +165,7 @@ def _shape(contact: Viscoelastic) -> tuple[float, float]:
         points[30 + i] = near + (0.98 * end - near) * (i + 1) / 90.0
     values = np.empty(points.size)
     for i in range(points.size):
-        values[i] = curvature_at(contact, points[i]) if points[i] > 0.0 else np.inf
+        values[i] = curvature_at(contact, points[i])[0] if points[i] > 0.0 else np.inf
     valley = ridge = -1.0
     for i in range(1, points.size - 1):
         if points[i - 1] <= 0.0:
@@ -305,6 +175,20 @@ def _shape(contact: Viscoelastic) -> tuple[float, float]:
         if valley >= 0.0 and values[i] >= values[i - 1] and values[i] > values[i + 1]:
             ridge = _bump(contact, points[i - 1], points[i + 1], 1.0)
     return valley, ridge
+
+
+@compiled
+def _inverse(contact: Viscoelastic, falling: bool) -> tuple[float, float]:
+    """Return the coefficients of `guessed_place` that make it and its slope right at the peak."""
+    end = contact.falling_end if falling else contact.rising_end
+    root, _, _, time = damped_motion(contact, falling, end)
+    sigma = near_end(contact, falling, time)
+    rate = -contact.last_rate if falling else 1.0
+    excess = end / sigma - 1.0
+    slope = ((contact.end_root if falling else 0.0) + rate * sigma) / root - 1.0
+    seventh = (slope - 4.0 * excess) / 3.0
+    cube = sigma * sigma * sigma
+    return (excess - seventh) / cube, seventh / (cube * cube)
 
 
 @compiled
@@ -321,8 +205,8 @@ def prepare(damping: float, limit: int) -> Viscoelastic:
     _fill(a, b, 1.0, 0.0, 1.0, b, pieces[:first])
     _fill(a, b, -1.0, root, rate, 0.0, pieces[first:])
     contact = Viscoelastic(
-        pieces, first, a, b, unit, peak, end - peak, 0.0, 1.0 - rate, rate, 0.0, 0.0,
-        -a * root * rate, -1.0, 0.0, -1.0, 0.0, False, STRONGEST, 0.0,
+        pieces, first, a, b, unit, peak, end - peak, root, (0.0, 0.0), (0.0, 0.0), 0.0, 1.0 - rate,
+        rate, 0.0, 0.0, -a * root * rate, -1.0, 0.0, -1.0, 0.0, False, STRONGEST, 0.0,
     )  # fmt: skip
     if first == 0:
         return contact
@@ -336,11 +220,12 @@ def prepare(damping: float, limit: int) -> Viscoelastic:
         valley, ridge = _shape(contact)
     found = ridge >= 0.0
     return Viscoelastic(
-        pieces, first, a, b, unit, peak, end - peak, before + after, 1.0 - rate, rate, before,
-        high * cap, -a * root * rate,
+        pieces, first, a, b, unit, peak, end - peak, root, _inverse(contact, False),
+        _inverse(contact, True), before + after, 1.0 - rate, rate, before, high * cap,
+        -a * root * rate,
         valley if found else -1.0,
-        curvature_at(contact, valley) if found and b >= NO_VALLEY_VALUE else -1.0,
+        curvature_at(contact, valley)[0] if found and b >= NO_VALLEY_VALUE else -1.0,
         ridge if found else -1.0,
-        curvature_at(contact, ridge) if found else 0.0,
+        curvature_at(contact, ridge)[0] if found else 0.0,
         False, STRONGEST, 0.0,
     )  # fmt: skip

@@ -1,6 +1,6 @@
 """Where sticking ends in a damped contact: bracketed roots.
 
-As in `damped_sliding`. What makes the brackets safe is derived in docs/model.md, "Events with
+As in `sliding`. What makes the brackets safe is derived in docs/model.md, "Events with
 damping". While the spring κz keeps its sign, g = P/|κz| falls and rises with W = Ṗκz − Pκu, whose
 rate is r κz. So g has one minimum where r > 0, and the spring meets the cap if g < 1 there, before.
 """
@@ -8,21 +8,16 @@ rate is r κz. So g has one minimum where r > 0, and the spring meets the cap if
 import math
 
 from restitution.mechanics.compiled import compiled
-from restitution.mechanics.damped_normal_motion import (
+from restitution.mechanics.damped.motion import (
     Viscoelastic,
-    cap_bend,
-    cap_slope,
+    cap_slopes,
     damped_motion,
+    guessed_place,
     rate_at,
 )
-from restitution.mechanics.damped_sliding import at_time, place, rounding_of
-from restitution.mechanics.switching import (
-    MOST_STEPS,
-    NEGLIGIBLE,
-    NOWHERE,
-    Spring,
-    newton_within,
-)
+from restitution.mechanics.damped.sliding import BESIDE, at_time, place, rounding_of
+from restitution.mechanics.roots import MOST_STEPS, NEGLIGIBLE, halley_within, newton_within
+from restitution.mechanics.switching import Spring
 
 
 @compiled
@@ -30,6 +25,42 @@ def spring_at(elapsed: float, omega: float, force: float, pull: float) -> tuple[
     """Return κz and κu/ω after `elapsed`, from their values `force` and `pull`."""
     sine, cosine = math.sin(omega * elapsed), math.cos(omega * elapsed)
     return force * cosine + pull * sine, pull * cosine - force * sine
+
+
+@compiled
+def gap_of(
+    contact: Viscoelastic,
+    omega: float,
+    root: float,
+    cap: float,
+    rate: float,
+    load: float,
+    moving: float,
+) -> tuple[float, float, float]:
+    """Return P − κz and its first two derivatives by τ; `load` is κz and `moving` κu/ω."""
+    slope, bend, _ = cap_slopes(contact.a, contact.b, root, rate, cap)
+    # dt = 2R dτ
+    turning = omega * moving
+    second = bend - 2.0 * rate * turning + 4.0 * root * root * omega * omega * load
+    return root * cap - load, slope - 2.0 * root * turning, second
+
+
+@compiled
+def lead_of(
+    contact: Viscoelastic,
+    omega: float,
+    root: float,
+    cap: float,
+    rate: float,
+    load: float,
+    moving: float,
+) -> tuple[float, float]:
+    """Return 2RW, W = Ṗκz − Pκu, and its derivative by τ, from κz and κu/ω."""
+    slope, bend, _ = cap_slopes(contact.a, contact.b, root, rate, cap)
+    force, turning = root * cap, omega * moving
+    lead = slope * load - 2.0 * root * force * turning
+    growth = load * (bend + 4.0 * root * root * omega * omega * force)
+    return lead, growth - 2.0 * rate * force * turning
 
 
 @compiled
@@ -45,15 +76,14 @@ def gap_and_lead(
     root, cap, loss, _ = damped_motion(contact, falling, q)
     rate = rate_at(contact, falling, loss)
     load, moving = spring_at(time - t0, omega, force, pull)
-    slope = cap_slope(contact.a, contact.b, root, rate, cap)
     gap = root * cap - load
+    lead, _ = lead_of(contact, omega, root, cap, rate, load, moving)
     # a spring at rest has the relative error of its phase, one that was followed also an absolute
     phase, followed = omega * time, 0.0
     if t0 > 0.0:
         phase, followed = 1.0 + phase, omega * spring.error
     terms = root * cap + abs(load) + phase * math.hypot(force, pull)
     rounding = rounding_of(contact) * terms
-    lead = slope * load - 2.0 * root * root * cap * omega * moving
     return gap, lead, abs(gap) > rounding + followed
 
 
@@ -61,19 +91,15 @@ def gap_and_lead(
 def halved(
     contact: Viscoelastic, begin: float, end: float, later: bool
 ) -> tuple[bool, float, float]:
-    """Return the half and q from and to, for the part of an interval of times in one half.
+    """Return the half, and the times from its end of the contact, of an interval's part in it.
 
     `later` says in which half, if it lies in both.
     """
     peak = contact.peak_time
     falling = begin >= peak or (end > peak and later)
     if falling:
-        high = (
-            contact.falling_end if begin <= peak else place(contact, True, contact.duration - begin)
-        )
-        return True, place(contact, True, contact.duration - end), high
-    low = place(contact, False, begin)
-    return False, low, contact.rising_end if end >= peak else place(contact, False, end)
+        return True, contact.duration - end, contact.duration - max(begin, peak)
+    return False, begin, min(end, peak)
 
 
 @compiled
@@ -87,11 +113,12 @@ def closest(
     end: float,
 ) -> float:
     """Return the time between two at which P/κz has its minimum: W < 0 before and > 0 after it."""
-    kappa, omega = spring.stiffness, spring.omega
+    omega = spring.omega
     later = begin < contact.peak_time < end
     if later:
         later = gap_and_lead(contact, spring, t0, force, pull, contact.peak_time)[1] < 0.0
-    falling, low, high = halved(contact, begin, end, later)
+    falling, near, far = halved(contact, begin, end, later)
+    low, high = place(contact, falling, near), place(contact, falling, far)
     sense = -1.0 if falling else 1.0
     origin = contact.duration - t0 if falling else -t0
     q = 0.5 * (low + high)
@@ -101,16 +128,12 @@ def closest(
         root, cap, loss, passed = damped_motion(contact, falling, q)
         rate = rate_at(contact, falling, loss)
         load, moving = spring_at(origin + sense * passed, omega, force, pull)
-        slope = cap_slope(contact.a, contact.b, root, rate, cap)
-        bend = cap_bend(contact.a, contact.b, root, rate, cap)
-        square = root * root
-        value = slope * load - 2.0 * square * cap * omega * moving
-        growth = rate * value + load * (4.0 * kappa * square * square * cap + bend)
+        value, growth = lead_of(contact, omega, root, cap, rate, load, moving)
         if (value > 0.0) == falling:
             low = q
         else:
             high = q
-        q, found = newton_within(n, q, value, sense * growth / root, low, high)
+        q, found = newton_within(n, q, value, sense * growth, low, high)
         if found:
             _, _, _, passed = damped_motion(contact, falling, min(max(q, low), high))
             return contact.duration - passed if falling else passed
@@ -125,34 +148,47 @@ def meeting(
     force: float,
     pull: float,
     falling: bool,
-    low: float,
-    high: float,
+    near: float,
+    far: float,
     guess: float,
 ) -> tuple[float, float]:
-    """Return q in (low, high) where the spring meets the cap from below, and κu/ω there.
+    """Return q where the spring meets the cap from below, and κu/ω there.
 
-    The spring is κz = `force` and κu/ω = `pull` at the time `origin` to the end, if `falling`, or
-    −`origin` from the start.
+    The meeting is between the times `near` and `far` from the nearer end. The spring is κz =
+    `force` and κu/ω = `pull` at the time `origin` to the end, if `falling`, or −`origin` from the
+    start.
     """
-    sense = -1.0 if falling else 1.0
-    q = guess if low < guess < high else 0.5 * (low + high)
+    sense, high = -1.0 if falling else 1.0, contact.falling_end if falling else contact.rising_end
+    low = 0.0
+    q = guess if low < guess < high else 0.5 * high
+    slack = BESIDE * (far - near)
     for n in range(MOST_STEPS):
         if high < NEGLIGIBLE:
             break
         root, cap, loss, passed = damped_motion(contact, falling, q)
         rate = rate_at(contact, falling, loss)
-        spring, moving = spring_at(origin + sense * passed, omega, force, pull)
-        value = cap - spring / root
-        growth = (
-            2.0 * root * (contact.a * rate - contact.b * root * cap)
-            - 2.0 * omega * moving
-            + spring * rate / (root * root)
-        )
+        load, moving = spring_at(origin + sense * passed, omega, force, pull)
+        if passed < near - slack or passed > far + slack:
+            # to the middle of the bracket, known as a time alone
+            if passed < near:
+                low = q
+            else:
+                high = q
+            middle = passed - 0.5 * (near + far)
+            q, found = newton_within(n, q, middle, 2.0 * root, low, high)
+            if found:
+                break
+            continue
+        # (P − κz)/R, for both are small where the contact begins
+        gap, closing, bend = gap_of(contact, omega, root, cap, rate, load, moving)
+        value = gap / root
+        first = (closing - value * rate) / root
+        second = (bend - 2.0 * first * rate + 2.0 * root * root * cap * value) / root
         if (value > 0.0) == falling:
             high = q
         else:
             low = q
-        q, found = newton_within(n, q, value, sense * growth, low, high)
+        q, found = halley_within(n, q, value, sense * first, second, low, high)
         if found:
             break
     else:
@@ -171,13 +207,14 @@ def cap_fall_time(contact: Viscoelastic, amplitude: float) -> float:
     q = min(amplitude ** (1.0 / 3.0), 0.5 * high)
     for n in range(MOST_STEPS):
         root, cap, loss, passed = damped_motion(contact, True, q)
-        slope = cap_slope(contact.a, contact.b, root, rate_at(contact, True, loss), cap)
+        rate = rate_at(contact, True, loss)
+        slope, bend, _ = cap_slopes(contact.a, contact.b, root, rate, cap)
         value = root * cap - amplitude
         if value > 0.0:
             high = q
         else:
             low = q
-        q, found = newton_within(n, q, value, -slope, low, high)
+        q, found = halley_within(n, q, value, -slope, bend, low, high)
         if found:
             return passed
     raise ArithmeticError("the fall of the cap was not found")
@@ -310,16 +347,16 @@ def sticking_end(
     later = begin < peak < end
     if later:
         later = gap_and_lead(contact, spring, t0, sign * force, sign * pull, peak)[0] > 0.0
-    falling, low, high = halved(contact, begin, end, later)
+    falling, near, far = halved(contact, begin, end, later)
     origin = contact.duration - t0 if falling else -t0
-    guess = NOWHERE
+    guess = guessed_place(contact, falling, 0.5 * (near + far))
     if resting and not falling:
         # P = bτ + aτ³ and κz = κψτ² for short times
         load = omega * pull
         inside = max(0.0, load * load - 4.0 * contact.a * contact.b)
         guess = 2.0 * contact.b / (load + math.sqrt(inside))
     q, towards = meeting(
-        contact, omega, origin, sign * force, sign * pull, falling, low, high, guess
+        contact, omega, origin, sign * force, sign * pull, falling, near, far, guess
     )
     return falling, q, sign, towards, certain
 
@@ -335,7 +372,26 @@ def sticking_end_while_falling(
     """
     zero = max(0.0, left - math.atan2(force, speed) / omega)
     amplitude = math.hypot(force, speed)
-    low = place(contact, True, zero - 0.5 * math.pi / omega)
-    high = place(contact, True, zero)
-    # at the time `zero` the spring passes 0, moving towards the other side
-    return meeting(contact, omega, zero, 0.0, amplitude, True, low, high, NOWHERE)
+    # at the time `zero` the spring passes 0, moving towards the other side, and later its extremum
+    last = max(0.0, zero - 0.5 * math.pi / omega)
+    guess = guessed_place(contact, True, guessed_next_cap(omega, left, force, speed, zero))
+    return meeting(contact, omega, zero, 0.0, amplitude, True, last, zero, guess)
+
+
+@compiled
+def guessed_next_cap(omega: float, left: float, force: float, speed: float, zero: float) -> float:
+    """Return about the time to the end at which the spring meets the falling cap again.
+
+    It left the cap at the time `left` as in `sticking_end_while_falling`, and is 0 at `zero`.
+    """
+    share = zero / left
+    # of the cap, which is bent so that it has its slope at `left` and vanishes at the end
+    steepness = max(omega * speed * left / force, 1.0)
+    bent = 1.0 + (steepness - 1.0) * (1.0 - share)
+    cap = force * share / bent
+    fall = force * steepness / (left * bent * bent * omega)
+    # from there the cap as a line, and a sine as the parabola that is right at 0 and at its top
+    amplitude = math.sqrt(force * force + speed * speed)
+    rise = amplitude * (4.0 / math.pi) + fall
+    inside = rise * rise - amplitude * cap * (4.0 / math.pi) ** 2
+    return max(zero - 2.0 * cap / (rise + math.sqrt(max(inside, 0.0))) / omega, 1e-12 * zero)

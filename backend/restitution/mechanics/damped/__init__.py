@@ -1,0 +1,1 @@
+"""Damped contacts: the normal motion of one η, and where in it sliding and sticking end."""
