@@ -17,6 +17,8 @@ MOST_ITEMS = 1_000_000
 MOST_REFUSALS = 20
 """Elements of one list that are named in a refusal."""
 
+NUMBERS = {int, float}
+
 SHAPE = "a finite number, a list of them, or {dtype, shape, bdata}"
 TYPED = "typed as f8, f4 or i4, with base64 in bdata and a shape that fits"
 
@@ -59,7 +61,9 @@ def number_array(
         values: FloatArray = decoded
     else:
         items = value if isinstance(value, list) else [value]
-        values = _doubles([x if type(x) in (int, float) else math.nan for x in items])
+        if not NUMBERS.issuperset(map(type, items)):
+            items = [x if type(x) in NUMBERS else math.nan for x in items]
+        values = _doubles(items)
         if not isinstance(value, list):
             values = values.reshape(())
     low, high = interval(annotation)

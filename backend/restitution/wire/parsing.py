@@ -145,7 +145,7 @@ def _without_long_lists(body: bytes) -> tuple[bytes, dict[str, list[object]]]:
         numbers = body[start + 1 : end] if start >= 0 and end - start > PIECE else b""
         if numbers and b'"' not in numbers and b"{" not in numbers:
             text = f"{mark}{len(lists)}"
-            lists[text] = list(_items(numbers))
+            lists[text] = _items(numbers)
             outline.append(b'%b"%b"' % (body[begin:start], text.encode()))
         else:
             outline.append(body[begin : end + 1])
@@ -153,8 +153,9 @@ def _without_long_lists(body: bytes) -> tuple[bytes, dict[str, list[object]]]:
     return b"".join([*outline, body[begin:]]), lists
 
 
-def _items(numbers: bytes) -> Iterator[object]:
-    """Yield the elements of a list of numbers, which is given without its brackets."""
+def _items(numbers: bytes) -> list[object]:
+    """Return the elements of a list of numbers, which is given without its brackets."""
+    items: list[object] = []
     begin = 0
     while begin <= len(numbers):
         end = numbers.find(b",", begin + PIECE)
@@ -163,8 +164,9 @@ def _items(numbers: bytes) -> Iterator[object]:
         if not isinstance(piece, list) or not piece:
             # nothing is before a comma, or after one
             raise MalformedBodyError("an element is missing")
-        yield from piece
+        items += piece
         begin = end + 1
+    return items
 
 
 def repeated_names(pairs: object, name: str = "") -> Iterator[str]:
