@@ -17,7 +17,7 @@ import psutil
 from waiting import LIMIT_SECONDS, eventually
 
 LONG = (
-    "/api/v1/map?mu_over_alpha=1&kappa_min=1.1e4&kappa_max=3e4&kappa_count=500"
+    "/api/v1/map?mu_over_alpha=1&kappa_min=1.1e6&kappa_max=2e6&kappa_count=80"
     "&gt_over_gn_count=200&quantities=switches"
 )
 """A second or so of both cores: too stiff for lanes."""

@@ -62,7 +62,6 @@ def _switches(of: contact.Contact, counts: Any) -> int:
 
 
 KERNELS: list[tuple[Any, str, str, Callable[[tuple[Any, ...], Any], int]]] = [
-    (collision, "_collide_each", "switches", lambda given, _: _switches(given[0], given[5])),
     (collision, "_collide_in_lanes", "switches", lambda given, _: _switches(given[0], given[5])),
     (motion, "_follow", "switches", lambda given, found: _switches(given[0], found[1])),
     (motion, "_tangential_curves", "points", lambda given, _: given[5].size),

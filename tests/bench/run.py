@@ -21,6 +21,7 @@ import numpy as np
 from record import RUNS, median, report
 from solver import solve_with_events
 
+from one_by_one import collide_each
 from restitution.mechanics import collision, contact
 from restitution.mechanics.damped import preparing
 from restitution.mechanics.lanes.rows import work_space
@@ -47,7 +48,7 @@ def kernel(kappa: np.ndarray, psi: np.ndarray) -> dict[str, float]:
         np.empty(kappa.size),
     )
     run = contact.ELASTIC, MOST_SWITCHES, kappa, psi, *outputs
-    alone = median(lambda: collision._collide_each(*run))
+    alone = median(lambda: collide_each(*run))
     in_lanes = median(lambda: collision._collide_in_lanes(*run, *work_space()))
     return {
         "alone": 1e6 * alone / kappa.size,
@@ -102,7 +103,7 @@ def damping_figures(eta: float = 0.1) -> dict[str, float]:
         kappa, psi = (axis.ravel() for axis in axes)
         outputs = [np.empty(kappa.size, t) for t in (float, np.int32, np.bool_, float)]
         run = [contact.contact_of(eta), float(MOST_SWITCHES), kappa, psi, *outputs]
-        alone = median(lambda run=run: collision._collide_each(*run))
+        alone = median(lambda run=run: collide_each(*run))
         in_lanes = median(lambda run=run: collision._collide_in_lanes(*run, *work_space()))
         figures[f"damped collision, {name}, µs CPU"] = 1e6 * alone / kappa.size
         figures[f"damped in lanes, {name}, µs CPU"] = 1e6 * in_lanes / kappa.size
@@ -146,7 +147,7 @@ def general_solver(points: int = 40) -> dict[str, float]:
     repeated = np.tile(kappa, 500), np.tile(psi, 500)
     outputs = [np.empty(repeated[0].size, t) for t in (float, np.int32, np.bool_, float)]
     run = [contact.ELASTIC, MOST_SWITCHES, *repeated, *outputs]
-    ours = median(lambda: collision._collide_each(*run))
+    ours = median(lambda: collide_each(*run))
     return {
         "solve_ivp with events (rtol 1e-9), µs CPU per collision": 1e6 * theirs,
         "its median error in ε_t": float(np.median(errors)),

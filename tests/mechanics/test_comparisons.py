@@ -36,7 +36,7 @@ def reached() -> dict[str, ast.FunctionDef]:
     """The functions that a collision goes through; of two of one name, both."""
     known = functions()
     found: dict[str, ast.FunctionDef] = {}
-    ahead = ["collision._collide_each", "collision._collide_in_lanes"]
+    ahead = ["collision._collide_in_lanes"]
     while ahead:
         name = ahead.pop()
         if name not in found:

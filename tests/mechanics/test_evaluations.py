@@ -26,14 +26,13 @@ def note(frame, event, _):
 
 found = []
 for kappa, psi, damping in json.load(sys.stdin):
-    one = [np.array([kappa]), np.array([psi])]
-    out = [np.empty(1), np.empty(1, np.int32), np.empty(1, np.bool_), np.empty(1)]
-    given = contact.contact_of(damping), float(collision.MOST_SWITCHES)
+    given = contact.contact_of(damping), float(collision.MOST_SWITCHES), kappa, psi
+    nothing = np.empty(0, collision.EPISODE)
     evaluations = 0
     sys.setprofile(note)
-    collision._collide_each(*given, *one, *out)
+    _, switches, _, _ = collision._collide_one(*given, nothing)
     sys.setprofile(None)
-    found.append((evaluations, int(out[1][0])))
+    found.append((evaluations, int(switches)))
 json.dump(found, sys.stdout)
 """
 

@@ -4,8 +4,15 @@ import numpy as np
 import pytest
 from fit_guesses import phases
 
+from one_by_one import collide_each
 from restitution.mechanics import collision
-from restitution.mechanics.collision import MOST_SWITCHES, Collision, collide
+from restitution.mechanics.collision import (
+    MOST_SWITCHES,
+    TOO_STIFF,
+    Collision,
+    collide,
+    expected_switch_counts,
+)
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import contact_of, rounding_bound
 from restitution.mechanics.hertz import HALF_CONTACT_ROOT, normal_motion
@@ -32,7 +39,7 @@ def followed(kappa, psi, damping=0.0):
         np.empty(kappa.size, np.bool_),
         np.empty(kappa.size),
     )
-    collision._collide_each(contact_of(damping), float(MOST_SWITCHES), kappa, psi, *found)
+    collide_each(contact_of(damping), float(MOST_SWITCHES), kappa, psi, *found)
     return found
 
 
@@ -49,7 +56,12 @@ def soft(random):
 
 
 def weak(random):
-    return log_uniform(random, 1.0, 1e4, PARTS), log_uniform(random, 1e-6, 2.0, PARTS)
+    return log_uniform(random, 1.0, 1e4, PARTS), log_uniform(random, 1e-8, 2.0, PARTS)
+
+
+def stiff(random):
+    count = PARTS // 5
+    return log_uniform(random, 1e4, 2e6, count), log_uniform(random, 1e-7, 2.0, count)
 
 
 def at_the_edges(random):
@@ -61,8 +73,8 @@ def at_the_edges(random):
 
 def next_to_borders(random, farthest=-2.0):
     """At 1e-17 … 10^farthest of ψ from a change of the number of switches, found by halving."""
-    kappa = log_uniform(random, SOFTEST, STIFFEST, PARTS)
-    low = log_uniform(random, WEAKEST, 1.9, PARTS)
+    kappa = log_uniform(random, SOFTEST, 1e4, PARTS)
+    low = log_uniform(random, 1e-3, 1.9, PARTS)
     high = np.minimum(1.999, low * 1.1)
     kappa, low, _ = borders(kappa, low, high, 53)
     away = 10 ** random.uniform(-17.0, farthest, low.size) * random.choice([-1, 1], low.size)
@@ -80,7 +92,7 @@ def assert_as_followed(kappa, psi, damping=0.0):
     )
 
 
-SAMPLES = [figure_4, ordinary, soft, weak, at_the_edges, next_to_borders]
+SAMPLES = [figure_4, ordinary, soft, weak, stiff, at_the_edges, next_to_borders]
 
 
 @pytest.mark.parametrize("sample", SAMPLES)
@@ -109,8 +121,8 @@ def next_to_damped_borders(random, damping, farthest=-2.0):
     """As `next_to_borders`, of the counts with damping."""
     contact = contact_of(damping)
     softest = softest_in_lanes(contact)
-    kappa = log_uniform(random, softest, STIFFEST, DAMPED_PARTS) * contact.unit**2
-    low = log_uniform(random, WEAKEST, 0.95 * contact.impulse, DAMPED_PARTS)
+    kappa = log_uniform(random, softest, 1e4, DAMPED_PARTS) * contact.unit**2
+    low = log_uniform(random, 1e-3, 0.95 * contact.impulse, DAMPED_PARTS)
     high = np.minimum(0.9995 * contact.impulse, low * 1.1)
     kappa, low, _ = borders(kappa, low, high, 53, damping)
     away = 10 ** random.uniform(-17.0, farthest, low.size) * random.choice([-1, 1], low.size)
@@ -148,6 +160,15 @@ def test_what_becomes_of_a_lane_does_not_depend_on_the_others(damping):
         assert [column[i] for column in together] == list(alone)
 
 
+@pytest.mark.parametrize("damping", [0.0, 0.1])
+def test_a_limit_of_switches_holds_in_lanes(damping):
+    kappa, psi = (a[:5_000] for a in ordinary(np.random.default_rng(6)))
+    expected = expected_switch_counts(kappa, psi, damping)
+    for most in (0.0, 6.0, 30.0, 300.0):
+        lost = collide(kappa, psi, damping, most).switches == TOO_STIFF
+        assert np.array_equal(lost, (psi < contact_of(damping).impulse) & (expected > most))
+
+
 @pytest.mark.parametrize(
     ("damping", "share"), [(0.0, 0.005), (1e-3, 0.02), (0.1, 0.01), (1.0, 0.05)]
 )
@@ -155,10 +176,10 @@ def test_few_leave_where_lanes_are_meant(damping, share):
     random = np.random.default_rng(5)
     contact, left, blocks = contact_of(damping), 0, 50
     for _ in range(blocks):
-        kappa = log_uniform(random, MONOTONE_STIFFNESS, STIFFEST, BLOCK)
-        psi = random.uniform(WEAKEST, 2.0, BLOCK)
+        kappa = log_uniform(random, MONOTONE_STIFFNESS, 1e4, BLOCK)
+        psi = random.uniform(1e-3, 2.0, BLOCK)
         bound = np.array([rounding_bound(contact, *one) for one in zip(kappa, psi, strict=True)])
-        given = 0, BLOCK, kappa, psi, bound, *work_space()
+        given = np.inf, 0, BLOCK, kappa, psi, bound, *work_space()
         left += collision.collide_block(contact, *given, np.empty(BLOCK), np.empty(BLOCK, np.int32))
     assert left <= share * blocks * BLOCK
 

@@ -21,5 +21,4 @@ def warm_rest() -> None:
     study_trace(CollisionParameters(18.0, 1.4, 0.4, 0.1), samples=2)
     study_trace(CollisionParameters(18.0, 1.4, 0.4), Options(method="timestep"), samples=2)
     study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options(method="table"))
-    study_batch(18.0, 1.4, 0.4, ("epsilon_t",), Options(damping=0.1, tolerance=4e-3))
     study_table(Axis(1.0, 2.0, 2), Axis(1.0, 2.0, 2), "paper", 0.1, seconds=1.0)

@@ -7,6 +7,7 @@ gear wheels; some authors use the opposite sign.
 
 import contextvars
 import functools
+import math
 import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -28,10 +29,10 @@ from restitution.mechanics.contact import (
     sliding_end,
     spring_in,
     sticking_end,
+    stiffest_within,
 )
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.lanes import block
-from restitution.mechanics.lanes.block import MOST_IN_LANES
 from restitution.mechanics.lanes.damped import block as damped_block
 from restitution.mechanics.lanes.rows import BLOCK, LEFT, Labels, work_space
 from restitution.mechanics.scaled_velocity import WEAKEST
@@ -48,11 +49,8 @@ ENDLESS = 10_000_000
 TOO_STIFF = -1
 """Stands for the number of switches of a collision that was not followed."""
 
-PART = 4096
-"""Collisions that one thread takes at a time: some milliseconds, so that no thread is left over."""
-
-PART_IN_LANES = 8192
-"""The same in lanes, which are faster."""
+PART = 8192
+"""Collisions that one thread takes at a time: a millisecond, so that no thread is left over."""
 
 EPISODE = np.dtype(
     [
@@ -107,7 +105,7 @@ def in_threads(work: Callable[[Item], Result], items: Iterable[Item]) -> list[Re
     return list(workers().map(run, tasks))
 
 
-def in_parts(fill: Callable[[int], None], size: int, part: int = PART) -> None:
+def in_parts(fill: Callable[[int], None], size: int, part: int) -> None:
     """Call `fill` with the beginning of each part of `size` collisions; as of `in_threads`."""
     if size <= part:
         pause()
@@ -226,25 +224,6 @@ def _collide_one(
 
 
 @compiled
-def _collide_each(
-    contact: Contact,
-    most_switches: float,
-    kappa: FloatArray,
-    psi: FloatArray,
-    epsilon_t: FloatArray,
-    switches: npt.NDArray[np.int32],
-    certain: npt.NDArray[np.bool_],
-    bound: FloatArray,
-) -> None:
-    """Fill the last four arrays (N,) for the parameters before them, one collision at a time."""
-    nothing = np.empty(0, dtype=EPISODE)
-    for i in range(kappa.size):
-        epsilon_t[i], switches[i], certain[i], bound[i] = _collide_one(
-            contact, most_switches, kappa[i], psi[i], nothing
-        )
-
-
-@compiled
 def _collide_in_lanes(
     contact: Contact,
     most_switches: float,
@@ -259,12 +238,13 @@ def _collide_in_lanes(
 ) -> None:
     """Fill the four arrays (N,) before the work space, a block of collisions at a time."""
     nothing = np.empty(0, dtype=EPISODE)
+    stiffest = stiffest_within(contact, most_switches)
     for begin in range(0, kappa.size, BLOCK):
         end = min(begin + BLOCK, kappa.size)
         for i in range(begin, end):
             bound[i], certain[i] = rounding_bound(contact, kappa[i], psi[i]), True
         left = collide_block(
-            contact, begin, end, kappa, psi, bound, lanes, labels, epsilon_t, switches
+            contact, stiffest, begin, end, kappa, psi, bound, lanes, labels, epsilon_t, switches
         )
         for i in range(left):
             j = labels[LEFT + i]
@@ -280,7 +260,7 @@ def epsilon_in_lanes(contact: Contact, kappa: float, psi: float, bound: float) -
     """
     epsilon_t, switches = np.empty(1), np.empty(1, np.int32)
     given = np.array([kappa]), np.array([psi]), np.array([bound])
-    left = collide_block(contact, 0, 1, *given, *work_space(), epsilon_t, switches)
+    left = collide_block(contact, math.inf, 0, 1, *given, *work_space(), epsilon_t, switches)
     return None if left else float(epsilon_t[0])
 
 
@@ -331,19 +311,12 @@ def collide(
     switches, certain = np.empty(kappas.size, np.int32), np.empty(kappas.size, np.bool_)
     columns: tuple[npt.NDArray[Any], ...] = *flat, epsilon_t, switches, certain, bound
 
-    # a lower limit asks of each how many switches it will have
-    in_lanes = most >= MOST_IN_LANES
-    part = PART_IN_LANES if in_lanes else PART
-
     def fill(begin: int) -> None:
-        mine: tuple[Any, ...] = tuple(column[begin : begin + part] for column in columns)
-        if in_lanes:
-            mine += work_space()
-            _collide_in_lanes(contact, most, *mine)
-        else:
-            _collide_each(contact, most, *mine)
+        mine: tuple[Any, ...] = tuple(column[begin : begin + PART] for column in columns)
+        mine += work_space()
+        _collide_in_lanes(contact, most, *mine)
 
-    in_parts(fill, kappas.size, part)
+    in_parts(fill, kappas.size, PART)
     shape = kappas.shape
     return Collision(
         epsilon_t.reshape(shape),

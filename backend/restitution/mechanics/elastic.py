@@ -65,6 +65,13 @@ def expected_switches(contact: Elastic, kappa: float, psi: float) -> float:
 
 
 @compiled
+def stiffest_within(contact: Elastic, most_switches: float) -> float:
+    """Return κ up to which no collision is expected to switch more often."""
+    most = max(most_switches - 4.0, 0.0) * math.pi / contact.duration
+    return most * most
+
+
+@compiled
 def stiff_bound(kappa: float, psi: float) -> float:
     """Return min(1, (5/4)^{3/5}/(ψ√κ)), a bound on |ε_t| for ψ < 2; see `limits.stiff_bound`."""
     return min(1.0, MAXIMUM_FORCE / math.sqrt(kappa) / psi)

@@ -11,11 +11,14 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from restitution.mechanics.collision import PART, in_parts
+from restitution.mechanics.collision import in_parts
 from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import contact_duration
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.scaled_velocity import WEAKEST
+
+PART = 4096
+"""Collisions that one thread takes at a time: some milliseconds, so that no thread is left over."""
 
 INTEGRATORS: dict[str, tuple[float, float, float]] = {
     "velocity_verlet": (0.5, 0.5, 0.0),
@@ -219,7 +222,7 @@ def step_collisions(
             switches[part],
         )
 
-    in_parts(fill, kappa.size)
+    in_parts(fill, kappa.size, PART)
     switches[(psi == 0.0) | (psi == np.inf)] = 0
     return Stepped(velocity / start, switches)
 

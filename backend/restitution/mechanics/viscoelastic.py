@@ -57,6 +57,13 @@ def expected_switches(contact: Viscoelastic, kappa: float, psi: float) -> float:
 
 
 @compiled
+def stiffest_within(contact: Viscoelastic, most_switches: float) -> float:
+    """Return κ, in the units of the contact, up to which none is expected to switch more often."""
+    most = max(most_switches - 5.0, 0.0) * 0.5 * math.pi / contact.duration
+    return most * most
+
+
+@compiled
 def energy_bound(contact: Viscoelastic, kappa: float, psi: float) -> float:
     """Return min(1, P_max/(ψ√κ)) ≥ |ε_t|, for ψ < 1 + ε_n.
 

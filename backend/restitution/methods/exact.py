@@ -13,8 +13,8 @@ from restitution.mechanics.collision import (
 from restitution.mechanics.contact import contact_of
 from restitution.mechanics.damped.motion import Viscoelastic
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.lanes.block import STIFFEST
-from restitution.mechanics.lanes.damped.block import softest_in_lanes
+from restitution.mechanics.lanes import block
+from restitution.mechanics.lanes.damped import block as damped_block
 from restitution.methods.answer import Answer
 from restitution.methods.options import Options
 
@@ -35,11 +35,11 @@ def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     expected = expected_switch_counts(kappa, psi, damping)
     switches = np.where(expected <= MOST_SWITCHES, expected, 0.0)
     contact = contact_of(damping)
-    softest, dearer, stiffness = 0.0, 1.0, kappa
+    softest, stiffest, dearer, stiffness = 0.0, block.STIFFEST, 1.0, kappa
     if isinstance(contact, Viscoelastic):
-        softest, dearer = softest_in_lanes(contact), DEARER_BY_DAMPING
-        stiffness = kappa / contact.unit / contact.unit
-    in_lanes = (stiffness >= softest) & (stiffness <= STIFFEST)
+        softest, stiffest = damped_block.softest_in_lanes(contact), damped_block.STIFFEST
+        dearer, stiffness = DEARER_BY_DAMPING, kappa / contact.unit / contact.unit
+    in_lanes = (stiffness >= softest) & (stiffness <= stiffest)
     seconds = np.where(in_lanes, SECONDS_IN_LANES, SECONDS_FOR_A_SWITCH)
     return dearer * float(np.sum(seconds * switches))
 

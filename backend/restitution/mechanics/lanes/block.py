@@ -32,19 +32,20 @@ from restitution.mechanics.lanes.sliding import largest_reach, slide
 from restitution.mechanics.lanes.sticking import stick_in_decompression
 from restitution.mechanics.switching import MONOTONE_STIFFNESS
 
-SOFTEST, STIFFEST = 0.05, 1e4
+SOFTEST, STIFFEST = 0.05, 1e6
 """κ from which on and up to which collisions are in lanes."""
 
-WEAKEST = 1e-3
+WEAKEST = 1e-6
 """ψ from which on they are."""
 
-MOST_IN_LANES = 128
-"""More than a collision in lanes has; it has about √κ at most."""
+MOST_IN_LANES = 4096
+"""More switches than a collision in lanes has; it has about √κ at most."""
 
 
 @compiled
 def collide_block(
     _: Elastic,
+    stiffest: float,
     begin: int,
     end: int,
     kappa: FloatArray,
@@ -59,6 +60,8 @@ def collide_block(
 
     Parameters
     ----------
+    stiffest : float
+        κ up to which they are taken, if `STIFFEST` is not less.
     begin, end : int
         At most `BLOCK` apart.
     kappa, psi, error_bound : ndarray, shape (N,)
@@ -74,7 +77,7 @@ def collide_block(
         How many are left for `collision.follow`: `labels` has them from `LEFT` on.
     """
     count, late, leaving = enter(
-        begin, end, kappa, psi, error_bound, lanes, labels, epsilon_t, switches
+        stiffest, begin, end, kappa, psi, error_bound, lanes, labels, epsilon_t, switches
     )
     if count > 0:
         fill_lanes(count, lanes)
@@ -92,6 +95,7 @@ def collide_block(
 
 @compiled
 def enter(
+    stiffest: float,
     begin: int,
     end: int,
     kappa: FloatArray,
@@ -108,11 +112,12 @@ def enter(
     `switching.first_sliding_end` has it.
     """
     count, late, leaving = 0, 0, 0
+    stiffest = min(stiffest, STIFFEST)
     find_largest_reach(begin, end, kappa, lanes)
     for j in range(begin, end):
         k, p, largest = kappa[j], psi[j], lanes[LARGEST + j - begin]
         load, threshold = k * p, max(2.0 * k, largest)
-        is_meant = SOFTEST <= k <= STIFFEST and p >= WEAKEST
+        is_meant = SOFTEST <= k <= stiffest and p >= WEAKEST
         is_clear = (
             abs(load - threshold) > CLOSE * threshold and abs(load - largest) > CLOSE * largest
         )

@@ -9,8 +9,6 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.lanes.block import (
     MOST_IN_LANES,
     SOFTEST,
-    STIFFEST,
-    WEAKEST,
     fill_lanes,
     put,
 )
@@ -43,6 +41,10 @@ from restitution.mechanics.lanes.rows import (
 )
 from restitution.mechanics.viscoelastic import scaled_stiffness
 
+STIFFEST, WEAKEST = 1e5, 1e-3
+"""κ, in the units of the contact, and ψ up to which and from which on collisions are in lanes: of
+stiffer and weaker ones more leave than stay."""
+
 MOST_PIECES = 48
 """Of a contact whose collisions are in lanes: up to about η = 40, where ε_n is .0026."""
 
@@ -50,6 +52,7 @@ MOST_PIECES = 48
 @compiled
 def collide_block(
     contact: Viscoelastic,
+    stiffest: float,
     begin: int,
     end: int,
     kappa: FloatArray,
@@ -62,9 +65,10 @@ def collide_block(
 ) -> int:
     """Follow the collisions from `begin` to `end`, but for those in doubt.
 
-    As `block.collide_block` without damping; `contact` is that of one η.
+    As `block.collide_block` without damping; `contact` is that of one η, and `stiffest` is in its
+    units.
     """
-    count, leaving = enter(contact, begin, end, kappa, psi, error_bound, lanes, labels)
+    count, leaving = enter(contact, stiffest, begin, end, kappa, psi, error_bound, lanes, labels)
     late = resting = 0
     if count > 0:
         fill_lanes(count, lanes)
@@ -136,6 +140,7 @@ def softest_in_lanes(contact: Viscoelastic) -> float:
 @compiled
 def enter(
     contact: Viscoelastic,
+    stiffest: float,
     begin: int,
     end: int,
     kappa: FloatArray,
@@ -146,10 +151,11 @@ def enter(
 ) -> tuple[int, int]:
     """Return how many are in lanes, and how many are not for lanes."""
     count, leaving = 0, 0
+    stiffest = min(stiffest, STIFFEST)
     softest, is_short = softest_in_lanes(contact), contact.pieces.shape[0] <= MOST_PIECES
     for j in range(begin, end):
         k, p = scaled_stiffness(contact, kappa[j]), psi[j]
-        is_meant = softest <= k <= STIFFEST and WEAKEST <= p <= contact.strongest
+        is_meant = softest <= k <= stiffest and WEAKEST <= p <= contact.strongest
         if is_meant and is_short and kappa[j] * p > contact.least_load:
             put(count, lanes, labels, j, k, p, error_bound[j])
             lanes[REACH + count] = 0.0
