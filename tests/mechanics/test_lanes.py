@@ -184,6 +184,18 @@ def test_few_leave_where_lanes_are_meant(damping, share):
     assert left <= share * blocks * BLOCK
 
 
+def test_a_spring_that_all_but_touches_the_cap_is_not_for_lanes():
+    for damping, kappa, psi in (
+        (0.004169944740691943, 1.6832464888920187, 0.07672715604043862),
+        (0.005113074932400925, 1.8687833865283972, 0.07652703791795834),
+        (0.010020119743392904, 2.6609233866734026, 0.07524011031543387),
+        (0.5671509319461566, 285.47140430676296, 0.01062725015309026),
+    ):
+        # P = bτ + aτ³ and κz = κψτ² have two meetings or none as κψ is more or less than 2√η
+        psis = psi * (1.0 + 1e-15 * np.arange(-2000, 2001))
+        assert_as_followed(np.full(psis.size, kappa), psis, damping)
+
+
 def test_contacts_that_last_too_long_are_not_for_lanes():
     pieces = [contact_of(damping).pieces.shape[0] for damping in (30.0, 60.0)]
     assert pieces[0] <= MOST_PIECES < pieces[1]

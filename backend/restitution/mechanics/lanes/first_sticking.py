@@ -194,8 +194,8 @@ def guessed_meeting(i: int, lanes: FloatArray) -> float:
     # a cosine is flatter than its parabola
     after *= 1.0 + min(omega * omega * after * after, 2.0) / 24.0
     q = math.sqrt(max(extremum - after, 1e-12))
-    within: float = min(max(q, lanes[LOW + i]), lanes[HIGH + i])
-    return within
+    inside: float = min(max(q, lanes[LOW + i]), lanes[HIGH + i])
+    return inside
 
 
 @compiled

@@ -36,15 +36,15 @@ Q = 4 * ROOM
 ROOT = 5 * ROOM
 """√x."""
 LOSS = 6 * ROOM
-"""1 − |ẋ|."""
+"""1 − |ẋ|; with damping the velocity spent or, in the falling half, yet to be spent."""
 TOWARDS = 7 * ROOM
 """Surface velocity towards the side of the spring."""
 SIDE = 8 * ROOM
 """Sign of the spring, 1 or −1."""
 REACH = 9 * ROOM
-"""What R must be for sliding to end."""
+"""What R must be for sliding to end; with damping, what `LOSS` + |Ṗ|/κ must be."""
 DOUBT = 10 * ROOM
-"""More than 0 in lanes that leave."""
+"""More than 0 in lanes that leave or, after the touch, have not met the cap."""
 
 # Within an episode of sticking.
 FORCE = 11 * ROOM
@@ -52,7 +52,7 @@ FORCE = 11 * ROOM
 PULL = 12 * ROOM
 """κu/ω there."""
 BEGIN = 13 * ROOM
-"""Time from there to the end of the contact."""
+"""Time from there to the end of the contact; 0 in the rising half, where it is the touch."""
 
 # Within the first one, if it begins in the compression.
 AMPLITUDE = 14 * ROOM
@@ -79,7 +79,7 @@ CAP = 22 * ROOM
 PASSED = 23 * ROOM
 """Time to the nearer end of the contact."""
 NODE = 24 * ROOM
-"""Last piece of the motion before a root, counted from the nearer end."""
+"""Last piece, counted from the end of the contact, in whose middle P is less than the amplitude."""
 GAP = 25 * ROOM
 """P − κz where spring and cap are closest."""
 PAST = 26 * ROOM

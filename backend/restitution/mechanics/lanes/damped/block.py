@@ -13,15 +13,14 @@ from restitution.mechanics.lanes.block import (
     put,
 )
 from restitution.mechanics.lanes.damped.first_sticking import (
-    stick_throughout_the_rise,
-    stick_while_rising,
+    stick_from_rise,
+    stick_through_rise,
 )
-from restitution.mechanics.lanes.damped.sliding import slide
-from restitution.mechanics.lanes.damped.sticking import stick_while_falling
+from restitution.mechanics.lanes.damped.sliding import SLIP, slide
+from restitution.mechanics.lanes.damped.sticking import stick_from_fall
 from restitution.mechanics.lanes.damped.touching import stick_from_touch
 from restitution.mechanics.lanes.first_sticking import CLOSE
 from restitution.mechanics.lanes.rows import (
-    AMPLITUDE,
     COUNT,
     DOUBT,
     ERROR,
@@ -79,14 +78,14 @@ def collide_block(
     if count > 0:
         fill_lanes(count, lanes)
         slide(contact, False, whole(count), lanes)
-        stick_while_rising(contact, whole(count), lanes)
+        stick_from_rise(contact, whole(count), lanes)
         count, leaving = leave(contact, count, lanes, labels, leaving, epsilon_t, switches)
     count = join(contact, count, late, kappa, psi, error_bound, lanes, labels, epsilon_t)
     leaving = follow_to_the_end(contact, count, lanes, labels, leaving, epsilon_t, switches)
     if resting > 0:
         put_again(contact, resting, kappa, psi, error_bound, lanes, labels)
         fill_lanes(resting, lanes)
-        stick_throughout_the_rise(contact, whole(resting), lanes)
+        stick_through_rise(contact, whole(resting), lanes)
         count, leaving = leave(contact, resting, lanes, labels, leaving, epsilon_t, switches)
         leaving = follow_to_the_end(contact, count, lanes, labels, leaving, epsilon_t, switches)
     return leaving
@@ -106,7 +105,7 @@ def follow_to_the_end(
     while count > 0:
         fill_lanes(count, lanes)
         slide(contact, True, whole(count), lanes)
-        stick_while_falling(contact, whole(count), lanes)
+        stick_from_fall(contact, whole(count), lanes)
         count, leaving = leave(contact, count, lanes, labels, leaving, epsilon_t, switches)
     return leaving
 
@@ -187,10 +186,12 @@ def leave_touch(
         kappa, psi = lanes[KAPPA + i], lanes[PSI + i]
         target = lanes[TOWARDS + i] + lanes[LOSS + i]
         lacking = contact.impulse - target
+        # more than 0 if sliding ends
         short = kappa * lacking - contact.last_slope
         margin = CLOSE * (kappa * (target + 2.0) + contact.last_slope)
         is_clear = abs(short) > margin and abs(target - peak_loss) > CLOSE * (1.0 + target)
         if lanes[DOUBT + i] > 0.0:
+            # they are looked at once more
             labels[RESTING + resting] = j
             resting += 1
         elif not is_clear:
@@ -202,8 +203,7 @@ def leave_touch(
             lanes[PSI + staying], lanes[ERROR + staying] = psi, lanes[ERROR + i]
             lanes[SIDE + staying], lanes[DOUBT + staying] = 1.0, 0.0
             lanes[REACH + staying], lanes[Q + staying] = target, lanes[Q + i]
-            # about how much is lacking: the cap's own slope is left out
-            lanes[AMPLITUDE + staying] = kappa * lanes[TOWARDS + i]
+            lanes[SLIP + staying] = kappa * lanes[TOWARDS + i]
             staying += 1
         elif short > 0.0:
             # what it lacks waits in the place of its answer

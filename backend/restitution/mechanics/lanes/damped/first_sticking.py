@@ -54,12 +54,18 @@ from restitution.mechanics.lanes.rows import (
 from restitution.mechanics.lanes.sticking import spring_after
 from restitution.mechanics.roots import halley
 
+FALL_SLOPE, FALL_BEND = FALL_ROOT, FALL_RATE
+"""|dP/dt| and d²P/dt² where the cap has fallen to the amplitude."""
+
 STEP_TO_CLOSEST, BEND = LOW, HIGH
-"""Rows: Newton's step to where spring and cap are closest, and the second derivative of the gap."""
+"""Newton's step to where spring and cap are closest, and the second derivative of the gap there."""
+
+GUESS = LEAD
+"""q at which they meet if they do after the extremum, else 0."""
 
 
 @compiled
-def stick_while_rising(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
+def stick_from_rise(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     """Move `count` lanes from where sliding ended in the rising half to the cap that falls."""
     for i in range(count):
         begin_sticking(contact, i, lanes)
@@ -67,7 +73,7 @@ def stick_while_rising(contact: Viscoelastic, count: int, lanes: FloatArray) -> 
 
 
 @compiled
-def stick_throughout_the_rise(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
+def stick_through_rise(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     """Move `count` lanes from the touch to the cap that falls, if the spring stays below it."""
     a, b, end = contact.a, contact.b, contact.rising_end
     for i in range(count):
@@ -89,9 +95,10 @@ def stick_throughout_the_rise(contact: Viscoelastic, count: int, lanes: FloatArr
 def is_missed(i: int, lanes: FloatArray) -> bool:
     """Return whether the spring of lane i stays below the cap where it comes closest."""
     step, bend = lanes[STEP_TO_CLOSEST + i], lanes[BEND + i]
-    # what the gap still shrinks by is known to a part of it
+    # it still shrinks by about half of bend × step², the less exactly the more the spring turns
     least = lanes[GAP + i] - bend * step * step
-    is_near: bool = bend > 0.0 and abs(step) < 1e-2
+    turn = 2.0 * lanes[OMEGA + i] * lanes[ROOT + i] * step
+    is_near: bool = bend > 0.0 and abs(step) < 1e-2 and abs(turn) < 0.1
     return is_near and least > CLOSE * lanes[AMPLITUDE + i]
 
 
@@ -108,7 +115,7 @@ def meet_falling_cap(contact: Viscoelastic, count: int, lanes: FloatArray) -> No
         choose_side(i, lanes)
     for i in range(count):
         guess = guessed_meeting(contact, i, lanes)
-        guess = lanes[GAP + i] if lanes[GAP + i] > 0.0 else guess
+        guess = lanes[GUESS + i] if lanes[GUESS + i] > 0.0 else guess
         lanes[Q + i] = within(guess, 0.0, contact.falling_end)
     meet_in_bracket(contact, 3, count, lanes)
 
@@ -132,13 +139,15 @@ def begin_sticking(contact: Viscoelastic, i: int, lanes: FloatArray) -> None:
 
 @compiled
 def find_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
-    """Find where the cap has fallen to the amplitude, with dP/dt and d²P/dt² there."""
+    """Find when the cap has fallen to the amplitude: `FALL_TIME`, `FALL_SLOPE`, `FALL_BEND`."""
     a, b, end = contact.a, contact.b, contact.falling_end
+    # the middle of the last piece may lie beyond the largest force
     last = contact.pieces.shape[0] - contact.rising - 2
     for i in range(count):
         lanes[NODE + i] = 0.0
     for node in range(1, last + 1):
         middle = contact.pieces[contact.rising + node, 0]
+        # R and C, of which P is the product
         force = middle[0] * middle[1]
         for i in range(count):
             is_below = force < lanes[AMPLITUDE + i]
@@ -146,6 +155,7 @@ def find_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     root, cap, loss, _ = damped_motion(contact, True, end)
     _, bend, _ = cap_slopes(a, b, root, rate_at(contact, True, loss), cap)
     for i in range(count):
+        # within the piece that was found, whatever the guess
         node, amplitude = lanes[NODE + i], lanes[AMPLITUDE + i]
         # a parabola about its top, nearer to the end about the cube of q
         top = end - math.sqrt(max(2.0 * (amplitude - contact.peak) / bend, 0.0))
@@ -162,7 +172,8 @@ def find_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     for i in range(count):
         root, cap, rate = lanes[ROOT + i], lanes[CAP + i], rate_at(contact, True, lanes[LOSS + i])
         slope, bend, _ = cap_slopes(a, b, root, rate, cap)
-        per_time = 0.5 / root
+        # dτ/dt
+        per_tau = 0.5 / root
         is_over = lanes[AMPLITUDE + i] >= contact.peak
         # Newton's step in τ, and twice the part of it by which it is wrong
         step = (root * cap - lanes[AMPLITUDE + i]) / slope
@@ -172,8 +183,8 @@ def find_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
         fallen = lanes[PASSED + i] + 2.0 * root * step
         lanes[FALL_TIME + i] = contact.duration - contact.peak_time if is_over else fallen
         # |dP/dt| and d²P/dt² there
-        lanes[FALL_ROOT + i] = 0.0 if is_over else -slope * per_time
-        lanes[FALL_RATE + i] = (bend - rate * slope / root) * per_time * per_time
+        lanes[FALL_SLOPE + i] = 0.0 if is_over else -slope * per_tau
+        lanes[FALL_BEND + i] = (bend - rate * slope / root) * per_tau * per_tau
 
 
 @compiled
@@ -184,6 +195,7 @@ def choose_swing(contact: Viscoelastic, i: int, lanes: FloatArray) -> None:
     swings = (omega * (begin - fallen) - lead) * (1.0 / math.pi)
     number = np.rint(swings)
     is_close = 0.5 - abs(swings - number) < FALL_ERROR * omega
+    # in its first half-swing it may have met the cap
     is_unknown = lanes[PAST + i] < 1.0 and number > 0.0
     number = max(number, lanes[PAST + i])
     extremum = begin - (lead + number * math.pi) / omega
@@ -207,7 +219,7 @@ def guess_closest(contact: Viscoelastic, i: int, lanes: FloatArray) -> None:
     The cap as a parabola about its fall, the spring as one about its extremum.
     """
     omega, extremum = lanes[OMEGA + i], lanes[EXTREMUM + i]
-    slope, bend = lanes[FALL_ROOT + i], lanes[FALL_RATE + i]
+    slope, bend = lanes[FALL_SLOPE + i], lanes[FALL_BEND + i]
     after = (slope - bend * (lanes[FALL_TIME + i] - extremum)) / (
         bend + lanes[AMPLITUDE + i] * omega * omega
     )
@@ -272,9 +284,9 @@ def choose_side(i: int, lanes: FloatArray) -> None:
     lanes[EXTREMUM + i] = extremum
     lanes[LOW + i] = lanes[PASSED + i] if is_after else extremum
     lanes[HIGH + i] = extremum if is_after else extremum + quarter
-    # how far from where they are closest, or rather would be
-    early = lanes[Q + i] - step + math.sqrt(max(step * step - 2.0 * gap / bend, 0.0))
-    lanes[GAP + i] = early if is_after else 0.0
+    # before they are closest, or rather would be: at a larger q, for it runs back in time
+    guess = lanes[Q + i] - step + math.sqrt(max(step * step - 2.0 * gap / bend, 0.0))
+    lanes[GUESS + i] = guess if is_after else 0.0
 
 
 @compiled
@@ -285,7 +297,7 @@ def guessed_meeting(contact: Viscoelastic, i: int, lanes: FloatArray) -> float:
     extremum.
     """
     omega, amplitude = lanes[OMEGA + i], lanes[AMPLITUDE + i]
-    slope, bend = lanes[FALL_ROOT + i], lanes[FALL_RATE + i]
+    slope, bend = lanes[FALL_SLOPE + i], lanes[FALL_BEND + i]
     extremum = lanes[EXTREMUM + i]
     apart = lanes[FALL_TIME + i] - extremum
     above = max(amplitude - contact.peak, 0.0)

@@ -32,6 +32,12 @@ from restitution.mechanics.lanes.rows import (
 )
 from restitution.mechanics.roots import halley, is_last
 
+SLIP = AMPLITUDE
+"""κ times the velocity with which sliding begins in the rising half."""
+
+VALUE_LOW, VALUE_HIGH = GAP, LEAD
+"""κL + |dP/dt| less what it must be, at the q in `LOW` and `HIGH`."""
+
 
 @compiled
 def slide(contact: Viscoelastic, falling: bool, count: int, lanes: FloatArray) -> None:
@@ -71,8 +77,8 @@ def guess_end(contact: Viscoelastic, falling: bool, count: int, lanes: FloatArra
     for i in range(count):
         reach = lanes[KAPPA + i] * lanes[REACH + i]
         lanes[LOW + i] = 0.0 if falling else lanes[Q + i]
-        lanes[GAP + i] = contact.last_slope - reach if falling else -lanes[AMPLITUDE + i]
-        lanes[HIGH + i], lanes[LEAD + i] = 0.0, 1.0
+        lanes[VALUE_LOW + i] = contact.last_slope - reach if falling else -lanes[SLIP + i]
+        lanes[HIGH + i], lanes[VALUE_HIGH + i] = 0.0, 1.0
     q = 0.125 * STEP
     while True:
         root, cap, loss, _ = damped_motion(contact, falling, q)
@@ -83,14 +89,16 @@ def guess_end(contact: Viscoelastic, falling: bool, count: int, lanes: FloatArra
             is_below = value < 0.0 and q > lanes[LOW + i]
             is_next = value >= 0.0 and q > lanes[LOW + i] and lanes[HIGH + i] == 0.0
             lanes[LOW + i] = q if is_below else lanes[LOW + i]
-            lanes[GAP + i] = value if is_below else lanes[GAP + i]
+            lanes[VALUE_LOW + i] = value if is_below else lanes[VALUE_LOW + i]
             lanes[HIGH + i] = q if is_next else (0.0 if is_below else lanes[HIGH + i])
-            lanes[LEAD + i] = value if is_next else lanes[LEAD + i]
+            lanes[VALUE_HIGH + i] = value if is_next else lanes[VALUE_HIGH + i]
         if q >= end:
             break
         q = min(q + min(0.5 * q, STEP), end)
     for i in range(count):
-        share = within(lanes[GAP + i] / (lanes[GAP + i] - lanes[LEAD + i]), 0.0, 1.0)
+        share = within(
+            lanes[VALUE_LOW + i] / (lanes[VALUE_LOW + i] - lanes[VALUE_HIGH + i]), 0.0, 1.0
+        )
         guess = lanes[LOW + i] + share * (lanes[HIGH + i] - lanes[LOW + i])
         lanes[Q + i] = within(guess, 0.0, end)
 

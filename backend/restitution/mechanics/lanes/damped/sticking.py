@@ -37,7 +37,7 @@ from restitution.mechanics.roots import SHORT, halley, is_last
 
 
 @compiled
-def stick_while_falling(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
+def stick_from_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     """Move `count` lanes from the falling cap to the next one, on the other side, after z = 0."""
     a, b, end = contact.a, contact.b, contact.falling_end
     for i in range(count):
@@ -70,6 +70,7 @@ def meet_in_bracket(contact: Viscoelastic, steps: int, count: int, lanes: FloatA
             rate = rate_at(contact, True, lanes[LOSS + i])
             spring, moving = spring_after(i, lanes, lanes[BEGIN + i] - lanes[PASSED + i])
             gap, first, second = gap_in_lane(contact, i, lanes, rate, spring, moving)
+            # q runs back in time
             step, _ = halley(gap, -first, second)
             lanes[Q + i] = within(lanes[Q + i] - step, 0.5 * lanes[Q + i], end)
     find_motion(contact, True, count, lanes)
@@ -80,9 +81,19 @@ def meet_in_bracket(contact: Viscoelastic, steps: int, count: int, lanes: FloatA
         step, change = halley(gap, -first, second)
         passed = lanes[PASSED + i]
         is_within = passed > lanes[LOW + i] + CLOSE and passed < lanes[HIGH + i] - CLOSE
-        lanes[DOUBT + i] += 0.0 if is_within and first < 0.0 else 1.0
+        is_meeting = is_within and is_overtaking(first, second, spring)
+        lanes[DOUBT + i] += 0.0 if is_meeting else 1.0
         meet_cap(i, lanes, -1.0, rate, step, change, spring, moving)
         arrive(i, lanes, contact, True, rate, step)
+
+
+@compiled
+def is_overtaking(first: float, second: float, spring: float) -> bool:
+    """Return whether the spring overtakes the cap, from the derivatives of P − κz by τ.
+
+    Not if it all but touches it: there both differ by rounding alone, and a step of 0 says nothing.
+    """
+    return first < 0.0 and first * first > 2.0 * CLOSE * abs(second * spring)
 
 
 @compiled

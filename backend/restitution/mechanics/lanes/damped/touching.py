@@ -10,7 +10,7 @@ from restitution.mechanics.compiled import compiled
 from restitution.mechanics.damped.motion import Viscoelastic, rate_at
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.lanes.damped.motion import arrive, find_motion
-from restitution.mechanics.lanes.damped.sticking import gap_in_lane, meet_cap
+from restitution.mechanics.lanes.damped.sticking import gap_in_lane, is_overtaking, meet_cap
 from restitution.mechanics.lanes.elementary import within
 from restitution.mechanics.lanes.first_sticking import CLOSE
 from restitution.mechanics.lanes.rows import (
@@ -55,9 +55,10 @@ def stick_from_touch(contact: Viscoelastic, count: int, lanes: FloatArray) -> No
         spring, moving = spring_after(i, lanes, lanes[PASSED + i])
         gap, first, second = gap_in_lane(contact, i, lanes, rate, spring, moving)
         step, change = halley(gap, first, second)
-        # the only time that the spring overtakes the cap in its first half-swing
+        # docs/model.md, "Events with damping", Sticking 4: once in the first half-swing, if at all
         phase = lanes[OMEGA + i] * lanes[PASSED + i]
-        is_first = first < 0.0 and phase < (1.0 - CLOSE) * math.pi
+        is_first = is_overtaking(first, second, spring) and phase < (1.0 - CLOSE) * math.pi
+        # at its extremum `follow` looks, and is not sure of what is there
         is_clear = abs(phase - 0.5 * math.pi) > CLOSE and lanes[Q + i] < (1.0 - CLOSE) * end
         lanes[DOUBT + i] += 0.0 if is_first and is_clear else 1.0
         meet_cap(i, lanes, 1.0, rate, step, change, spring, moving)
