@@ -40,7 +40,7 @@ class Admission:
     most_quick : int
         Requests of under some milliseconds that may wait for their turn on the event loop. They
         take about 0.3 ms each, and longer ones pass through the same loop three times: of 300
-        browsers that drag, 40 let one in a hundred wait for 0.22 s, 64 for 0.29 s
+        browsers that drag, 40 let one in a hundred wait for 0.11 s
         (`make load PARTS=class`).
     most_long : int
         Longer ones that are computed at the same time, each in a thread.
