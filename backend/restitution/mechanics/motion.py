@@ -236,7 +236,8 @@ def instants(duration: float, samples: int, switch_times: FloatArray) -> FloatAr
             time[i + j] = switch_times[j]
             j += 1
         time[i + j] = uniform
-    time[samples + j :] = switch_times[j:]
+    for k in range(j, switch_times.size):
+        time[samples + k] = switch_times[k]
     return time
 
 
