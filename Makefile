@@ -28,7 +28,7 @@ WITH_MORE := APACHE2="$$($(SET_UP) apache2)" FIREFOX_ESR="$$($(SET_UP) firefox-e
 WITH_CODES := YADE="$$($(SET_UP) yade)" PYTHONPATH="$$($(BIN)/python tests/beyond/set_up_lammps.py)" && export YADE PYTHONPATH &&
 
 .DEFAULT_GOAL := help
-.PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots docs pictures types fonts lock clean
+.PHONY: help serve test coverage check format bench times load tradeoff verify wheel release-check lowest screenshots docs pictures types fonts kernel lock clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-13s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -59,6 +59,7 @@ check: $(DEVELOPMENT) $(MODULES) ## format, lint and types
 	$(BIN)/ruff check
 	$(BIN)/mypy
 	$(BIN)/hadolint Dockerfile
+	$(BIN)/python deploy/make_kernel.py --check
 	@mkdir -p build && $(BIN)/restitution openapi > build/openapi.json
 	$(NPM) run --silent check
 
@@ -108,6 +109,9 @@ types: $(DEVELOPMENT) $(MODULES) ## frontend/api/openapi.d.ts from the document 
 
 fonts: $(DEVELOPMENT) $(MODULES) ## frontend/fonts from the packages that the fonts come in
 	@$(BIN)/python deploy/make_fonts.py
+
+kernel: $(DEVELOPMENT) ## frontend/kernel/kernel.wasm, the mechanics as WebAssembly, from its sources
+	@$(BIN)/python deploy/make_kernel.py
 
 lock: $(DEVELOPMENT) ## the lock files from pyproject.toml and package.json
 	$(LOCK) pyproject.toml --group build --output-file requirements.lock

@@ -48,6 +48,13 @@ def test_plotly_comes_compressed_and_whole(client):
     assert packed.headers["vary"].lower().count("accept-encoding") == 1
 
 
+def test_kernel_comes_compressed_as_what_a_browser_compiles_while_it_loads(client):
+    answer = client.get("/static/kernel/kernel.wasm", headers={"Accept-Encoding": "br"})
+    assert answer.headers["content-type"] == "application/wasm"
+    assert answer.headers["content-encoding"] == "br"
+    assert int(answer.headers["content-length"]) < 40_000
+
+
 def test_answers_and_modules_come_compressed_to_those_who_can(client):
     kinds = {"/api/v1/map?mu_over_alpha=1.4": "gzip", "/static/main.js": "br"}
     for path, kind in kinds.items():

@@ -37,7 +37,7 @@ PLOTLY_HEADERS = {"Cache-Control": "public, max-age=86400"}
 
 HTML = "text/html; charset=utf-8"
 
-COMPRESSIBLE = {".css", ".html", ".js", ".json", ".svg"}
+COMPRESSIBLE = {".css", ".html", ".js", ".json", ".svg", ".wasm"}
 
 
 Entry = tuple[str, int, int]
