@@ -17,7 +17,7 @@ MOST_NEWTON_STEPS, MOST_STEPS = 40, 120
 """Halving the exponent from 1 to `NEGLIGIBLE`, and on to the last digit, takes 62 of them."""
 
 SHORT = 3e-6
-"""Last step up to which a lane stays, over q and in phase: `arrive` leaves out its third power."""
+"""Last step of Halley's, over q and in phase: its third power is left out."""
 
 LITTLE = 1e-17
 """What may be left to the root after it, over q."""
