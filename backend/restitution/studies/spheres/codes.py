@@ -117,7 +117,6 @@ def study_codes(
     scale = (alpha, 10), (mass, 10), (at.beta, 8), (normal_velocity, 4)
     duration = contact_duration(eta) * at.time_scale_s
     gamma = ((eta, 10), (at.beta, 6), (normal_velocity, -2), (radius, -5)) if eta else None
-    found = study_collision(parameters, quantities=("epsilon_t", "epsilon_n"))
     told = {
         "friction_coefficient": parameters.mu_over_alpha * alpha,
         "normal_stiffness_pa": normal,
@@ -132,6 +131,8 @@ def study_codes(
             "linear_stiffness_n_per_m", (mass, 10), (math.pi, 20), (duration, -20)
         ),
     }
+    # once all else is known to be held by a double
+    found = study_collision(parameters, quantities=("epsilon_t", "epsilon_n"))
     return CodesStudy(
         alpha=alpha,
         normal_velocity_m_s=normal_velocity,
