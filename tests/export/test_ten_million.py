@@ -12,10 +12,11 @@ import pytest
 PROGRAM = Path(sys.executable).with_name("restitution")
 RANGES = ["--kappa", "0.5", "30", "--psi", "0.05", "4"]
 
-MILLION = ["--kappa-count", "1000", "--psi-count", "1000"]
+# long enough for a worker to have come to what it holds
+FOUR_MILLION = ["--kappa-count", "2000", "--psi-count", "2000"]
 TEN_MILLION = ["--kappa-count", "3200", "--psi-count", "3200"]
 DAMPED = ["--damping", "0", "0.5", "--damping-count", "50"]
-MILLION_IN_THREE = ["--kappa-count", "142", "--psi-count", "142", *DAMPED]
+FOUR_MILLION_IN_THREE = ["--kappa-count", "284", "--psi-count", "284", *DAMPED]
 TEN_MILLION_IN_THREE = ["--kappa-count", "448", "--psi-count", "448", *DAMPED]
 
 
@@ -69,7 +70,7 @@ def assert_same_files(one, other):
 @pytest.mark.verify
 @pytest.mark.parametrize(
     ("little", "counts", "runs"),
-    [(MILLION, TEN_MILLION, 3), (MILLION_IN_THREE, TEN_MILLION_IN_THREE, 1)],
+    [(FOUR_MILLION, TEN_MILLION, 3), (FOUR_MILLION_IN_THREE, TEN_MILLION_IN_THREE, 1)],
     ids=["two", "three"],
 )
 def test_ten_million_entries(little, counts, runs, tmp_path):
@@ -81,12 +82,12 @@ def test_ten_million_entries(little, counts, runs, tmp_path):
             f"{processor:.0f} s of CPU of two workers in {wall:.0f} s: {processor / wall:.2f}; "
             f"most memory of a worker {workers:.0f} MB, of the client {client:.0f} MB"
         )
-    print(f"10⁶ entries: worker {little_workers:.0f} MB, client {little_client:.0f} MB")
+    print(f"4·10⁶ entries: worker {little_workers:.0f} MB, client {little_client:.0f} MB")
     killed = tmp_path / "killed.zarr"
     computed(killed, counts, kill=True)
     for store in [*stores[1:], killed]:
         assert_same_files(stores[0], store)
-    # 80 MB of entries would show
+    # 48 MB of entries would show
     for _, _, workers, client in measured:
         assert workers < little_workers + 40.0
         assert client < little_client + 40.0
