@@ -190,6 +190,18 @@ def fill_lanes(count: int, lanes: FloatArray) -> None:
 
 
 @compiled
+def move_up(
+    i: int, free: int, switched: int, reach: float, lanes: FloatArray, labels: Labels
+) -> None:
+    """Let the collision of lane i go on in a free one, with its switches and the next `REACH`."""
+    labels[free], labels[COUNT + free] = labels[i], switched
+    lanes[KAPPA + free], lanes[OMEGA + free] = lanes[KAPPA + i], lanes[OMEGA + i]
+    lanes[PSI + free], lanes[ERROR + free] = lanes[PSI + i], lanes[ERROR + i]
+    lanes[SIDE + free], lanes[DOUBT + free] = lanes[SIDE + i], 0.0
+    lanes[REACH + free] = reach
+
+
+@compiled
 def leave(
     count: int,
     lanes: FloatArray,
@@ -221,10 +233,6 @@ def leave(
             epsilon_t[j] = min(max(-side * lacking / psi, -1.0), 1.0)
             switches[j] = switched
         # overwritten by the next one, unless this lane stays
-        labels[staying], labels[COUNT + staying] = j, switched
-        lanes[KAPPA + staying], lanes[OMEGA + staying] = kappa, lanes[OMEGA + i]
-        lanes[PSI + staying], lanes[ERROR + staying] = psi, lanes[ERROR + i]
-        lanes[SIDE + staying], lanes[DOUBT + staying] = side, 0.0
-        lanes[REACH + staying] = kappa * lacking
+        move_up(i, staying, switched, kappa * lacking, lanes, labels)
         staying += 0 if doubt or is_done else 1
     return staying, leaving

@@ -174,6 +174,23 @@ def choose_swing(i: int, lanes: FloatArray) -> None:
 
 
 @compiled
+def after_extremum(
+    omega: float, amplitude: float, slope: float, bend: float, apart: float, above: float
+) -> float:
+    """Return about the time from the spring's extremum to where it meets the cap.
+
+    Both as parabolas: the cap with `slope` and `bend` about where it has fallen to the amplitude,
+    or is `above` short of it, at the time `apart` before the extremum.
+    """
+    a = bend + amplitude * omega * omega
+    b = bend * apart - slope
+    c = (0.5 * bend * apart - slope) * apart - above
+    after = (-b - math.sqrt(max(0.0, b * b - 2.0 * a * c))) / a
+    # a cosine is flatter than its parabola
+    return after * (1.0 + min(omega * omega * after * after, 2.0) / 24.0)
+
+
+@compiled
 def guessed_meeting(i: int, lanes: FloatArray) -> float:
     """Return about the q at which spring and cap meet in lane i.
 
@@ -187,12 +204,7 @@ def guessed_meeting(i: int, lanes: FloatArray) -> float:
     bend = 0.75 * rate * rate / root - 1.5 * square * square
     apart = lanes[FALL_TIME + i] - extremum
     above = max(amplitude - MAXIMUM_FORCE, 0.0)
-    a = bend + amplitude * omega * omega
-    b = bend * apart - slope
-    c = (0.5 * bend * apart - slope) * apart - above
-    after = (-b - math.sqrt(max(0.0, b * b - 2.0 * a * c))) / a
-    # a cosine is flatter than its parabola
-    after *= 1.0 + min(omega * omega * after * after, 2.0) / 24.0
+    after = after_extremum(omega, amplitude, slope, bend, apart, above)
     q = math.sqrt(max(extremum - after, 1e-12))
     inside: float = min(max(q, lanes[LOW + i]), lanes[HIGH + i])
     return inside

@@ -10,6 +10,7 @@ from restitution.mechanics.lanes.block import (
     MOST_IN_LANES,
     SOFTEST,
     fill_lanes,
+    move_up,
     put,
 )
 from restitution.mechanics.lanes.damped.first_sticking import (
@@ -28,7 +29,6 @@ from restitution.mechanics.lanes.rows import (
     LATE,
     LEFT,
     LOSS,
-    OMEGA,
     PSI,
     REACH,
     RESTING,
@@ -198,12 +198,8 @@ def leave_touch(
             labels[LEFT + leaving] = j
             leaving += 1
         elif target < peak_loss:
-            labels[staying], labels[COUNT + staying] = j, 1
-            lanes[KAPPA + staying], lanes[OMEGA + staying] = kappa, lanes[OMEGA + i]
-            lanes[PSI + staying], lanes[ERROR + staying] = psi, lanes[ERROR + i]
-            lanes[SIDE + staying], lanes[DOUBT + staying] = 1.0, 0.0
-            lanes[REACH + staying], lanes[Q + staying] = target, lanes[Q + i]
-            lanes[SLIP + staying] = kappa * lanes[TOWARDS + i]
+            move_up(i, staying, 1, target, lanes, labels)
+            lanes[Q + staying], lanes[SLIP + staying] = lanes[Q + i], kappa * lanes[TOWARDS + i]
             staying += 1
         elif short > 0.0:
             # what it lacks waits in the place of its answer
@@ -265,10 +261,6 @@ def leave(
             epsilon_t[j] = min(max(-side * lacking / psi, -1.0), 1.0)
             switches[j] = switched
         # overwritten by the next one, unless this lane stays
-        labels[staying], labels[COUNT + staying] = j, switched
-        lanes[KAPPA + staying], lanes[OMEGA + staying] = kappa, lanes[OMEGA + i]
-        lanes[PSI + staying], lanes[ERROR + staying] = psi, lanes[ERROR + i]
-        lanes[SIDE + staying], lanes[DOUBT + staying] = side, 0.0
-        lanes[REACH + staying] = lacking
+        move_up(i, staying, switched, lacking, lanes, labels)
         staying += 0 if doubt or is_done else 1
     return staying, leaving

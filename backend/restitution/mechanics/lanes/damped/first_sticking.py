@@ -23,7 +23,7 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.lanes.damped.motion import find_motion
 from restitution.mechanics.lanes.damped.sticking import meet_in_bracket
 from restitution.mechanics.lanes.elementary import arctangent, cube_root, within
-from restitution.mechanics.lanes.first_sticking import CLOSE, FALL_ERROR
+from restitution.mechanics.lanes.first_sticking import CLOSE, FALL_ERROR, after_extremum
 from restitution.mechanics.lanes.rows import (
     AMPLITUDE,
     BEGIN,
@@ -117,7 +117,7 @@ def meet_falling_cap(contact: Viscoelastic, count: int, lanes: FloatArray) -> No
         guess = guessed_meeting(contact, i, lanes)
         guess = lanes[GUESS + i] if lanes[GUESS + i] > 0.0 else guess
         lanes[Q + i] = within(guess, 0.0, contact.falling_end)
-    meet_in_bracket(contact, 3, count, lanes)
+    meet_in_bracket(contact, count, lanes)
 
 
 @compiled
@@ -301,11 +301,6 @@ def guessed_meeting(contact: Viscoelastic, i: int, lanes: FloatArray) -> float:
     extremum = lanes[EXTREMUM + i]
     apart = lanes[FALL_TIME + i] - extremum
     above = max(amplitude - contact.peak, 0.0)
-    a = bend + amplitude * omega * omega
-    b = bend * apart - slope
-    c = (0.5 * bend * apart - slope) * apart - above
-    after = (-b - math.sqrt(max(0.0, b * b - 2.0 * a * c))) / a
-    # a cosine is flatter than its parabola
-    after *= 1.0 + min(omega * omega * after * after, 2.0) / 24.0
+    after = after_extremum(omega, amplitude, slope, bend, apart, above)
     time = within(extremum - after, max(lanes[LOW + i], 1e-12), lanes[HIGH + i])
     return guessed_place(contact, True, time)

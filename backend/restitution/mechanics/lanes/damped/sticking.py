@@ -57,14 +57,14 @@ def stick_from_fall(contact: Viscoelastic, count: int, lanes: FloatArray) -> Non
         begin, zero = lanes[BEGIN + i], lanes[HIGH + i]
         left = guessed_next_cap(lanes[OMEGA + i], begin, -lanes[FORCE + i], lanes[PULL + i], zero)
         lanes[Q + i] = within(guessed_place(contact, True, left), 0.0, end)
-    meet_in_bracket(contact, 3, count, lanes)
+    meet_in_bracket(contact, count, lanes)
 
 
 @compiled
-def meet_in_bracket(contact: Viscoelastic, steps: int, count: int, lanes: FloatArray) -> None:
+def meet_in_bracket(contact: Viscoelastic, count: int, lanes: FloatArray) -> None:
     """Move `count` lanes from a guess to where the spring meets the falling cap."""
     end = contact.falling_end
-    for _ in range(steps):
+    for _ in range(3):
         find_motion(contact, True, count, lanes)
         for i in range(count):
             rate = rate_at(contact, True, lanes[LOSS + i])
