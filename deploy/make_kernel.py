@@ -28,9 +28,9 @@ def made() -> bytes:
     sys.path.insert(0, str(sources.ROOT / "backend"))
     # the check does without numba; `translating` has something to say to it before others load it
     from kernel import translating  # noqa: PLC0415
-    from kernel.entries import ENTRIES, SIZES  # noqa: PLC0415
+    from kernel.entries import ENTRIES, TOLD  # noqa: PLC0415
 
-    told = {"made_of": sources.fingerprint(), **SIZES}
+    told = {"made_of": sources.fingerprint(), **TOLD}
     content = module_of(translating.emit(), ENTRIES, translating.MATH, told)
     for path in (str(sources.ROOT), sys.prefix, sys.base_prefix, ".py"):
         if path.encode() in content:

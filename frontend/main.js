@@ -7,6 +7,7 @@ import { bring, createDeferredScene } from "./page/deferred-scene.js";
 import { createExplanation } from "./page/explanation.js";
 import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
+import { bringKernel } from "./page/kernel.js";
 import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
@@ -20,6 +21,7 @@ import { createAddressBar } from "./state/address/bar.js";
 import { createCollisionLoad } from "./state/loading/collision-load.js";
 import { createConnection } from "./state/loading/connection.js";
 import { createLatest } from "./state/loading/latest.js";
+import { createSource } from "./state/loading/source.js";
 import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { embedded, isPresented, SCENES } from "./state/scenes.js";
@@ -47,11 +49,23 @@ const addressBar = createAddressBar((state, wrong) => {
 });
 const connection = createConnection({
   isAnswering,
-  onLost: (reason) => banner.say(say("server.lost", { reason })),
+  onLost(reason) {
+    const isAlone = source.isNear(false);
+    banner.say(say(isAlone ? "server.lostForMost" : "server.lost", { reason }));
+    if (isAlone) {
+      nearScenes.forEach((scene) => scene.forget());
+      followNearby(store.get(), null, changeNow());
+    }
+  },
   onRecovered: () => {
     banner.clear();
     loadAll();
   },
+});
+const source = createSource(client, {
+  isAway: connection.isLost,
+  // eslint-disable-next-line no-console -- for whoever looks into it; a reader could do nothing
+  onDifference: (own, told) => console.warn("the kernel differs from the server:", own, told),
 });
 const explainBy = createExplanation(connection.reportLost);
 /** What a frame lets through of a change. @type {typeof import("./page/embedding/frame.js").unlocked} */
@@ -76,6 +90,7 @@ const firstHint = mountFirstHint();
 const page = {
   ...setters,
   client,
+  source,
   preview: collision.preview,
   say: notice.say,
   explainBy,
@@ -133,7 +148,10 @@ const DEFERRED = [
 const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
 /** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
 const panels = [];
-const scenes = [explorer, ...DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus))];
+const deferred = DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus));
+const scenes = [explorer, ...deferred];
+/** Those that the kernel in the page can do for. */
+const nearScenes = [explorer, ...deferred.filter((_, i) => DEFERRED[i][0] === "compare")];
 [collision, explorer].forEach(mountMenus);
 byTestId("embed").addEventListener("click", () => openBuilder());
 mountSaveAll(panels, store.get, {
@@ -143,10 +161,12 @@ mountSaveAll(panels, store.get, {
 });
 
 const collisions = createLatest({
-  load: createCollisionLoad(client),
+  load: createCollisionLoad(source),
   onAnswer: settle,
   onError: page.explain,
+  isNear: ({ change }) => source.isNear(change.dragging),
 });
+let isKernelAsked = false;
 let arePresetsHere = false;
 
 store.subscribe((state, previous, change) => {
@@ -164,7 +184,12 @@ store.subscribe((state, previous, change) => {
   undo.follow(state, change);
   if (!connection.isLost()) {
     follow(state, previous, change);
-  } else if (!change.dragging) {
+    return;
+  }
+  if (source.isNear(false)) {
+    followNearby(state, previous, change);
+  }
+  if (!change.dragging) {
     banner.remind();
   }
 });
@@ -219,14 +244,33 @@ function show(state, previous, change) {
  */
 function follow(state, previous, change) {
   if (!previous || !scenes.some((scene) => scene.decides?.(state, previous))) {
-    collisions.request({
-      collision: state.collision,
-      accuracy: accuracyOf(state),
-      change,
-      isPictured: SCENES.some(({ id, hasTrace }) => hasTrace && id === state.scene),
-    });
+    request(state, change);
   }
   scenes.forEach((scene) => scene.follow(state, previous, change));
+}
+
+/**
+ * The same while the server is away, of what the kernel in the page knows.
+ * @param {PageState} state
+ * @param {PageState | null} previous
+ * @param {Change} change
+ */
+function followNearby(state, previous, change) {
+  request(state, change);
+  nearScenes.forEach((scene) => scene.follow(state, previous, change));
+}
+
+/**
+ * @param {PageState} state
+ * @param {Change} change
+ */
+function request(state, change) {
+  collisions.request({
+    collision: state.collision,
+    accuracy: accuracyOf(state),
+    change,
+    isPictured: SCENES.some(({ id, hasTrace }) => hasTrace && id === state.scene),
+  });
 }
 
 /** @type {Parameters<typeof createLatest<import("./state/loading/collision-load.js").CollisionWish, import("./state/loading/collision-load.js").LoadedCollision>>[0]["onAnswer"]} */
@@ -235,6 +279,11 @@ function settle(answer, wish) {
   const isPresent =
     sameCollision(wish.collision, now.collision) && sameAccuracy(wish.accuracy, accuracyOf(now));
   collision.settle(answer, wish, isPresent);
+  if (!isKernelAsked) {
+    // not before there is a picture to look at
+    isKernelAsked = true;
+    afterNextFrame(() => bringKernel(client, source.takeKernel));
+  }
   if (!wish.isPictured) {
     afterNextFrame(() => announcePainted("result", wish.change.inputTimeStamp));
   }

@@ -13,6 +13,7 @@ from restitution.api.admission import Admission
 from restitution.mechanics import (
     collision,
     contact,
+    curves,
     limits,
     motion,
     stepping,
@@ -64,7 +65,7 @@ def _switches(of: contact.Contact, counts: Any) -> int:
 KERNELS: list[tuple[Any, str, str, Callable[[tuple[Any, ...], Any], int]]] = [
     (collision, "_collide_in_lanes", "switches", lambda given, _: _switches(given[0], given[5])),
     (motion, "_follow", "switches", lambda given, found: _switches(given[0], found[1])),
-    (motion, "_tangential_curves", "points", lambda given, _: given[5].size),
+    (curves, "_tangential_columns", "points", lambda given, _: given[6].size),
     (stepping, "_step_each", "steps", lambda given, _: given[0].size * given[4]),
     (stepping, "_record", "steps", lambda _, found: found),
     (table, "look_up", "reads", lambda given, _: given[0].size),

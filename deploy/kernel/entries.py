@@ -15,7 +15,7 @@ import numba
 import numpy as np
 from numba import carray, types  # type: ignore[attr-defined]
 
-from restitution.mechanics import motion
+from restitution.mechanics import curves, motion
 from restitution.mechanics.collision import (
     EPISODE,
     MOST_SWITCHES,
@@ -29,11 +29,13 @@ from restitution.mechanics.contact import (
     LEAST_DAMPING,
     LEAST_LOAD,
     MOST_DAMPING,
-    expected_switches,
+    _normal_curves,
 )
 from restitution.mechanics.damped.motion import TERMS, Viscoelastic
 from restitution.mechanics.damped.preparing import MOST_STEPS, prepare
 from restitution.mechanics.lanes.rows import LABELS, ROWS
+from restitution.mechanics.limits import simple_laws
+from restitution.mechanics.scaled_velocity import after_flight, psi_of
 
 NUMBER, COUNT = types.float64, types.int32
 """Counts are short enough for JavaScript's own numbers."""
@@ -41,17 +43,17 @@ NUMBERS, COUNTS = types.CPointer(NUMBER), types.CPointer(COUNT)
 WHOLES = types.CPointer(types.int64)
 SIGNS, TRUTHS = types.CPointer(types.int8), types.CPointer(types.boolean)
 
-COLUMNS = 4
+POWERS = 4
 """Of a piece of `Viscoelastic.pieces`."""
 
 MOST_PIECES = 760
 """Of a contact in memory, after a first one that holds the other fields; the longest has 713."""
 
-CURVES = 7
-"""Rows of a trace: x, ẋ, P, u/u(0), z/u(0), F and the tangential energy over u(0)²."""
+COLUMNS = 7
+"""Rows of a trace: those of `contact.normal_curves`, then those of `curves.tangential_columns`."""
 
-SUMMARY = 8
-"""Numbers that `trace` writes beside its curves."""
+OUTCOME = 9
+"""Numbers that `write_outcome` writes."""
 
 kernel: Any = numba.njit(error_model="numpy")
 
@@ -65,8 +67,8 @@ def elastic_at(_: Any) -> Any:
 @kernel
 def viscoelastic_at(address: Any) -> Any:
     """Return the contact that `prepare_contact` has written to an address."""
-    whole = carray(address, (1 + MOST_PIECES, TERMS, COLUMNS))
-    n = carray(address, (TERMS * COLUMNS,))
+    whole = carray(address, (1 + MOST_PIECES, TERMS, POWERS))
+    n = carray(address, (TERMS * POWERS,))
     return Viscoelastic(
         whole[1 : 1 + int(n[0])], int(n[1]), n[2], n[3], n[4], n[5], n[6], n[7], (n[8], n[9]),
         (n[10], n[11]), n[12], n[13], n[14], n[15], n[16], n[17], n[18], n[19], n[20], n[21],
@@ -91,40 +93,53 @@ def prepare_contact(damping: float, address: Any) -> None:
         c.duration, c.impulse, c.last_rate, c.peak_time, c.peak, c.last_slope, c.valley,
         c.valley_value, c.ridge, c.ridge_value, begins_sliding, c.strongest, least_load,
     )  # fmt: skip
-    head = carray(address, (TERMS * COLUMNS,))
+    head = carray(address, (TERMS * POWERS,))
     for i in range(len(fields)):
         head[i] = fields[i]
-    whole = carray(address, (1 + MOST_PIECES, TERMS, COLUMNS))
+    whole = carray(address, (1 + MOST_PIECES, TERMS, POWERS))
     for i in range(count):
         for k in range(TERMS):
-            for j in range(COLUMNS):
+            for j in range(POWERS):
                 whole[1 + i, k, j] = c.pieces[i, k, j]
 
 
 @kernel
-def require_parameters(kappa: float, psi: float) -> None:
-    """Raise unless `collision.collide` takes them."""
-    if not 0.0 < kappa < math.inf or not psi >= 0.0:
-        raise ValueError("kappa must be positive and finite, psi 0 or more")
+def psi_within(kappa: float, mu_over_alpha: float, gt_over_gn: float) -> float:
+    """Return ψ of parameters that the service takes, too; raise where it does not."""
+    if not (0.0 < kappa < math.inf and 0.0 <= mu_over_alpha < math.inf):
+        raise ValueError("kappa must be positive and finite, mu_over_alpha finite and 0 or more")
+    if not 0.0 <= gt_over_gn < math.inf:
+        raise ValueError("gt_over_gn must be finite and 0 or more")
+    psi: float = psi_of(mu_over_alpha, gt_over_gn)
+    return psi
 
 
 @kernel
-def describe(contact: Any, properties: Any) -> None:
-    """Write t_c, ε_n and the largest normal force."""
-    out = carray(properties, (3,))
-    out[0], out[1] = contact.duration / contact.unit, -contact.last_rate
-    out[2] = contact.peak * contact.unit
-
-
-@kernel
-def collide(contact: Any, most_switches: float, kappa: float, psi: float, outcome: Any) -> None:
-    """Follow one collision: write ε_t, switches, certainty, bound and expected switches."""
-    require_parameters(kappa, psi)
-    out = carray(outcome, (5,))
-    nothing = np.empty(0, EPISODE)
-    out[0], out[1], certain, out[3] = _collide_one(contact, most_switches, kappa, psi, nothing)
+def write_outcome(
+    contact: Any, kappa: float, psi: float, found: tuple[float, int, bool, float], out: Any
+) -> None:
+    """Write ε_t, switches, certainty, bound, ψ, t_c, ε_n, share of energy lost, Coulomb's ε_t."""
+    out[0], out[1], certain, out[3] = found
     out[2] = 1.0 if certain else 0.0
-    out[4] = expected_switches(contact, kappa, psi)
+    out[4], out[5], out[6] = psi, contact.duration / contact.unit, -contact.last_rate
+    out[7] = motion.dissipated_share(out[0])
+    out[8], _, _ = simple_laws(kappa, psi, -contact.last_rate, True)
+
+
+@kernel
+def collide(
+    contact: Any,
+    most_switches: float,
+    kappa: float,
+    mu_over_alpha: float,
+    gt_over_gn: float,
+    outcome: Any,
+) -> None:
+    """Follow one collision and write its outcome, as `write_outcome` does."""
+    psi = psi_within(kappa, mu_over_alpha, gt_over_gn)
+    nothing = np.empty(0, EPISODE)
+    found = _collide_one(contact, most_switches, kappa, psi, nothing)
+    write_outcome(contact, kappa, psi, found, carray(outcome, (OUTCOME,)))
 
 
 @kernel
@@ -133,7 +148,8 @@ def collide_in_lanes(
     most_switches: float,
     count: int,
     kappa: Any,
-    psi: Any,
+    mu_over_alpha: float,
+    gt_over_gn: Any,
     epsilon_t: Any,
     switches: Any,
     certain: Any,
@@ -141,10 +157,11 @@ def collide_in_lanes(
     lanes: Any,
     labels: Any,
 ) -> None:
-    """Fill the four arrays (count,) after κ and ψ, as `collision.collide` does."""
-    kappas, psis = carray(kappa, (count,)), carray(psi, (count,))
+    """Fill the four arrays (count,) after g_t/g_n, as `collision.collide` does."""
+    kappas, tangentials = carray(kappa, (count,)), carray(gt_over_gn, (count,))
+    psis = np.empty(count)
     for i in range(count):
-        require_parameters(kappas[i], psis[i])
+        psis[i] = psi_within(kappas[i], mu_over_alpha, tangentials[i])
     _collide_in_lanes(
         contact,
         most_switches,
@@ -157,6 +174,26 @@ def collide_in_lanes(
         carray(lanes, (ROWS,)),
         carray(labels, (LABELS,)),
     )
+
+
+def find_simple_laws(
+    epsilon_n: float,
+    damped: int,
+    count: int,
+    kappa: Any,
+    mu_over_alpha: float,
+    gt_over_gn: Any,
+    coulomb: Any,
+    stiff_bound: Any,
+    stiff_asymptote: Any,
+) -> None:
+    """Fill the last three arrays (count,), as `limits.simple_laws` has them."""
+    kappas, tangentials = carray(kappa, (count,)), carray(gt_over_gn, (count,))
+    first, second = carray(coulomb, (count,)), carray(stiff_bound, (count,))
+    third = carray(stiff_asymptote, (count,))
+    for i in range(count):
+        psi = psi_within(kappas[i], mu_over_alpha, tangentials[i])
+        first[i], second[i], third[i] = simple_laws(kappas[i], psi, epsilon_n, damped != 0)
 
 
 @kernel
@@ -176,29 +213,18 @@ def epsilon_in_lanes(
 
 
 @kernel
-def fill_without_spring(kappa: float, psi: float, duration: float, rows: Any, regime: Any) -> float:
-    """Fill u/u(0), z/u(0), F and the regime for ψ = 0 or ∞; return the sensitivity to κ."""
-    slides = psi > 0.0
-    for i in range(regime.size):
-        rows[3, i], rows[4, i] = 1.0 if slides else 0.0, 0.0
-        rows[5, i] = rows[2, i] if slides else 0.0
-        regime[i] = 1 if slides else 0
-    phase = 0.0 if slides else math.sqrt(kappa) * duration
-    return -0.5 * phase * math.sin(phase)
-
-
-@kernel
 def trace(
     contact: Any,
     most_switches: float,
     kappa: float,
-    psi: float,
+    mu_over_alpha: float,
+    gt_over_gn: float,
     samples: int,
     room: int,
     start: Any,
     direction: Any,
     time: Any,
-    curves: Any,
+    columns: Any,
     regime: Any,
     lanes: Any,
     labels: Any,
@@ -207,9 +233,10 @@ def trace(
     """Write a collision over time, as `studies.collision.trace` has it.
 
     `start` and `direction` (room,) get the episodes, the arrays after them samples + switches
-    columns, `summary` ε_t, switches, certainty, bound, reversals, both sensitivities and t_c.
+    columns, `summary` what `collide` writes, reversals and the share of the contact until the first
+    switch.
     """
-    require_parameters(kappa, psi)
+    psi = psi_within(kappa, mu_over_alpha, gt_over_gn)
     reached = within_reach(contact, psi)
     expected, bound = motion._foresee(contact, kappa, reached)
     if expected > most_switches or (bound >= 1.0 and reached < contact.impulse):
@@ -229,34 +256,42 @@ def trace(
         starts[j] = left / contact.unit
         directions[j] = episodes[j]["side"] if episodes[j]["sliding"] else 0
     size = samples + switches
-    instants = motion.instants(duration, samples, starts[1:])
+    instants = curves.instants(duration, samples, starts[1:])
     times = carray(time, (size,))
     for i in range(size):
         times[i] = instants[i]
-    rows, regimes = carray(curves, (CURVES, size)), carray(regime, (size,))
-    motion._normal_curves(contact, times, rows[:3])
-    turns, by_psi, weaker = 0, 0.0, 1.0
+    rows, regimes = carray(columns, (COLUMNS, size)), carray(regime, (size,))
+    _normal_curves(contact, times, rows[:3])
+    curves._tangential_columns(
+        contact, kappa, mu_over_alpha, gt_over_gn, episodes, starts, times, rows[2], rows[3:],
+        regimes,
+    )  # fmt: skip
+    turns = 0
     if has_spring:
-        motion._tangential_curves(
-            contact, kappa, reached, episodes, starts, times, rows[3:6], regimes
-        )
         epsilon = epsilon_in_lanes(contact, kappa, psi, bound, epsilon, lanes, labels)
         turns = motion._reversals(kappa, episodes, starts, force, duration, epsilon * reached)
-        by_kappa, by_psi = motion._sensitivity(kappa, reached, episodes, starts, force)
-        by_psi -= epsilon
-        # a collision weaker than the one that was followed has proportionally weaker forces
-        weaker = min(1.0, psi / reached)
     else:
-        by_kappa = fill_without_spring(kappa, psi, duration, rows, regimes)
         directions[0] = regimes[0]
-    omega = math.sqrt(kappa)
-    for i in range(size):
-        rows[5, i] *= weaker
-        stretch = omega * rows[4, i]
-        rows[6, i] = 0.5 * (rows[3, i] * rows[3, i] + stretch * stretch)
-    out = carray(summary, (SUMMARY,))
-    out[0], out[1], out[2], out[3] = epsilon, switches, 1.0 if certain else 0.0, bound
-    out[4], out[5], out[6], out[7] = turns, by_kappa, by_psi, duration
+    out = carray(summary, (OUTCOME + 2,))
+    write_outcome(contact, kappa, psi, (epsilon, switches, certain, bound), out)
+    out[OUTCOME] = turns
+    out[OUTCOME + 1] = starts[1] / duration if switches else 1.0
+
+
+def bounce(
+    alpha: float,
+    mass_share: float,
+    kappa: float,
+    gt_over_gn: float,
+    damping: float,
+    epsilon_n: float,
+    epsilon_t: float,
+    found: Any,
+) -> None:
+    """Write a ball's impulse shares, and κ, g_t/g_n and η of its next collision."""
+    out = carray(found, (5,))
+    out[0], out[1] = motion.impulse_shares(alpha, mass_share)
+    out[2], out[3], out[4] = after_flight(kappa, gt_over_gn, damping, epsilon_n, epsilon_t)
 
 
 def over(contact_at: Any, function: Any) -> Callable[..., None]:
@@ -269,20 +304,24 @@ def over(contact_at: Any, function: Any) -> Callable[..., None]:
 
 
 SIGNATURES = {
-    describe: (NUMBERS, NUMBERS),
-    collide: (NUMBERS, *(NUMBER,) * 3, NUMBERS),
+    collide: (NUMBERS, *(NUMBER,) * 4, NUMBERS),
     collide_in_lanes: (
-        *(NUMBERS, NUMBER, COUNT, NUMBERS, NUMBERS),
+        *(NUMBERS, NUMBER, COUNT, NUMBERS, NUMBER, NUMBERS),
         *(NUMBERS, COUNTS, TRUTHS, NUMBERS, NUMBERS, WHOLES),
     ),
     trace: (
-        *(NUMBERS, *(NUMBER,) * 3, COUNT, COUNT, NUMBERS, SIGNS),
+        *(NUMBERS, *(NUMBER,) * 4, COUNT, COUNT, NUMBERS, SIGNS),
         *(NUMBERS, NUMBERS, SIGNS, NUMBERS, WHOLES, NUMBERS),
     ),
 }
 
 ENTRIES: dict[str, tuple[Callable[..., None], tuple[Any, ...]]] = {
     "prepare_contact": (prepare_contact, (NUMBER, NUMBERS)),
+    "bounce": (bounce, (*(NUMBER,) * 7, NUMBERS)),
+    "find_simple_laws": (
+        find_simple_laws,
+        (NUMBER, COUNT, COUNT, NUMBERS, NUMBER, NUMBERS, NUMBERS, NUMBERS, NUMBERS),
+    ),
     **{
         f"{prefix}{function.__name__}": (over(contact_at, function), signature)
         for prefix, contact_at in (("", elastic_at), ("damped_", viscoelastic_at))
@@ -291,11 +330,13 @@ ENTRIES: dict[str, tuple[Callable[..., None], tuple[Any, ...]]] = {
 }
 """By the name that the module exports: the function and the types of its arguments."""
 
-SIZES = {
-    "contact": 8 * (1 + MOST_PIECES) * TERMS * COLUMNS,
+TOLD: dict[str, Any] = {
+    "contact": 8 * (1 + MOST_PIECES) * TERMS * POWERS,
     "labels": 8 * LABELS,
     "lanes": 8 * ROWS,
+    "mass_shares": motion.MASS_SHARES,
     "most_switches": MOST_SWITCHES,
-    "pages": 40,
+    "pages": 120,
 }
-"""Of what the page gives the entries, in bytes; of its memory, in pages; most that is followed."""
+"""What the module says of itself: what the page gives the entries, in bytes; its memory, in pages;
+what it takes."""

@@ -7,16 +7,25 @@ import type { components } from "./openapi.js";
 
 type Schemas = components["schemas"];
 
-/** Of `/collision`; the page asks for all of its quantities. */
-export type CollisionAnswer = Omit<
+/** Of `/collision`, what the page reads of it. */
+export type CollisionAnswer = Pick<
   Schemas["Collision"],
-  "episodes" | "energy" | "estimates" | "summary"
+  | "epsilon_t"
+  | "epsilon_n"
+  | "switches"
+  | "switches_certain"
+  | "reversals"
+  | "contact_duration"
+  | "first_episode_share"
+  | "limit"
+  | "method"
+  | "error_bound"
 > & {
+  parameters: import("../state/parameters.js").Collision & { psi: number | null };
   episodes: Episode[];
-  energy: Schemas["Energy"];
-  estimates: Schemas["Estimates"];
-  summary: string;
-  /** The server's own computing time. */
+  energy: Pick<Schemas["Energy"], "dissipated_share">;
+  estimates: Pick<Schemas["Estimates"], "coulomb">;
+  /** The server's own computing time, NaN if it does not tell; null of what the page has computed itself. */
   milliseconds: number | null;
 };
 
@@ -44,7 +53,8 @@ export type MapGrid = {
   gt_over_gn: Float64Array;
   /** Rows of constant g_t/g_n. */
   epsilon_t: Float64Array[];
-  switches: Int32Array[];
+  /** NaN, and so no integers, where they were not counted. */
+  switches: (Int32Array | Float64Array)[];
 };
 
 /** Columns of `/cut`; a number that does not exist is NaN. */
@@ -53,8 +63,11 @@ export type Cut = { switches: Int32Array | Float64Array } & Record<
   Float64Array
 >;
 
-/** Of `/bounce`. */
-export type Bounces = Schemas["BounceStudy"];
+/** Of `/bounce`, what the page reads of it. */
+export type Bounces = Pick<
+  Schemas["BounceStudy"],
+  "mass_share" | "centre_change" | "spin_change"
+> & { second: Omit<Schemas["Bounce"], "error_bound"> | null };
 
 export type Scaling = Schemas["Scaling"];
 export type CodesAnswer = Schemas["CodesStudy"];

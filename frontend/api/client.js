@@ -111,7 +111,7 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
     return response;
   }
 
-  /** @type {(...request: Parameters<typeof ask>) => Promise<{body: any, milliseconds: number | null}>} */
+  /** @type {(...request: Parameters<typeof ask>) => Promise<{body: any, milliseconds: number}>} */
   async function get(...request) {
     const response = await ask(...request);
     const body = await response.json().catch(() => null);
@@ -346,6 +346,12 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
       return (await get(`words/${language}`)).body;
     },
 
+    /** The kernel that computes collisions in the page. */
+    async kernel() {
+      const response = await ask(new URL("../kernel/kernel.wasm", import.meta.url).href);
+      return WebAssembly.compile(await response.arrayBuffer());
+    },
+
     /** @returns {Promise<Preset[]>} */
     async presets() {
       return (await get(`${base}/presets`)).body.items;
@@ -362,8 +368,8 @@ function posted(body) {
   };
 }
 
-/** @param {string | null} serverTiming */
+/** NaN where the server does not tell, or a proxy has cut it off. @param {string | null} serverTiming */
 function computeTime(serverTiming) {
   const match = /compute;dur=([\d.eE+-]+)/.exec(serverTiming ?? "");
-  return match ? Number(match[1]) : null;
+  return match ? Number(match[1]) : NaN;
 }

@@ -127,8 +127,35 @@ export function cutQuery({ along, held, muOverAlpha, view, count }) {
  * Samples enough to draw the free swings of the spring, of which there are about √κ/2 in a contact.
  * @param {number} kappa
  */
-function samplesFor(kappa) {
+export function samplesFor(kappa) {
   return Math.min(2000, Math.max(300, Math.ceil(10 * Math.sqrt(kappa))));
+}
+
+/**
+ * The values of an axis, as the server has them, but for rounding.
+ * @param {import("../state/scales.js").Scale} axis
+ * @param {"linear" | "log"} scale
+ * @param {number} count
+ */
+function valuesOf({ min, max }, scale, count) {
+  const [from, to] = scale === "log" ? [Math.log(min), Math.log(max)] : [min, max];
+  return Float64Array.from({ length: count }, (_, i) => {
+    const value = from + (to - from) * (i / (count - 1));
+    return Math.min(max, Math.max(min, scale === "log" ? Math.exp(value) : value));
+  });
+}
+
+/** The values along both axes of a map. @param {MapWish} wish */
+export function mapValues({ view, counts }) {
+  return {
+    kappa: valuesOf(view.kappa, view.scale, counts.kappa),
+    gtOverGn: valuesOf(view.gtOverGn, view.scale, counts.gtOverGn),
+  };
+}
+
+/** The values along a cut. @param {CutWish} wish */
+export function cutValues({ along, view, count }) {
+  return valuesOf(along === "kappa" ? view.kappa : view.gtOverGn, view.scale, count);
 }
 
 /** @param {Record<string, number>} numbers */

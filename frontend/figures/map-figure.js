@@ -120,15 +120,22 @@ function countsAndLetters({ grid, view, muOverAlpha = 1, letters = [] }, theme, 
 
 /**
  * The most switches anywhere on a map.
- * @param {{switches: Int32Array[]}} grid
+ * @param {Pick<import("../api/answers.js").MapGrid, "switches">} grid
  */
 export function mostSwitches({ switches }) {
-  return switches.reduce((most, row) => row.reduce((a, b) => Math.max(a, b), most), 0);
+  let most = 0;
+  for (const row of switches) {
+    for (const count of row) {
+      // and not by Math.max: what was not counted is NaN
+      most = count > most ? count : most;
+    }
+  }
+  return most;
 }
 
 /**
  * The colours of a quantity and the range they span.
- * @param {{switches: Int32Array[]}} grid
+ * @param {Pick<import("../api/answers.js").MapGrid, "switches">} grid
  * @param {"epsilon_t" | "switches"} quantity
  * @param {boolean} dark
  */

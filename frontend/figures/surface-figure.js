@@ -23,7 +23,7 @@ const NO_MARGIN = { l: 0, r: 0, t: 0, b: 0 };
 /**
  * What is needed of a map, of whatever its axes are.
  * @typedef {object} Surface
- * @property {Pick<import("../api/answers.js").MapGrid, "kappa" | "gt_over_gn" | "epsilon_t"> & {switches: Int32Array[]}} grid
+ * @property {import("../api/answers.js").MapGrid} grid
  * @property {{scale: "linear" | "log", vertical: keyof typeof PLOT_SYMBOLS, gtOverGn: import("../state/scales.js").Scale}} view
  * @property {{symbol: keyof typeof PLOT_SYMBOLS, alpha?: number, scale: import("../state/scales.js").Scale}} horizontal
  * @property {"epsilon_t" | "switches"} quantity

@@ -11,8 +11,8 @@
 /**
  * What the module says of itself: sizes in bytes, memory in pages of 64 KiB.
  * @typedef {{
- *   contact: number, free: number, labels: number, lanes: number, most_switches: number,
- *   pages: number, stack: number,
+ *   contact: number, free: number, labels: number, lanes: number, pages: number, stack: number,
+ *   mass_shares: Record<"wall" | "sphere", number>, most_switches: number,
  * }} About
  */
 
@@ -22,19 +22,16 @@
  */
 
 /**
- * @typedef {object} Contact
- * @property {number} duration t_c
- * @property {number} normalRestitution ε_n
- * @property {number} largestForce
- */
-
-/**
  * @typedef {object} Outcome
  * @property {number} epsilonT
- * @property {number} switches
+ * @property {number} switches -1 where it is too stiff to be followed
  * @property {boolean} isCertain false where rounding decides about a switch
  * @property {number} errorBound
- * @property {number} expectedSwitches
+ * @property {number} psi
+ * @property {number} contactDuration
+ * @property {number} epsilonN
+ * @property {number} dissipatedShare of the tangential energy
+ * @property {number} coulomb ε_t of Coulomb's law
  */
 
 /**
@@ -46,41 +43,57 @@
  */
 
 /**
- * A collision over time, scaled as `studies.collision.trace`; velocity, elongation and energy over
- * u(0), u(0) and u(0)².
- * @typedef {object} Trace
- * @property {number} epsilonT
- * @property {number} switches
- * @property {boolean} isCertain
- * @property {number} errorBound
+ * @typedef {Record<"coulomb" | "stiffBound" | "stiffAsymptote", Float64Array>} SimpleLaws NaN where they say nothing
+ */
+
+/**
+ * @typedef {object} Course what only a collision that was followed has
  * @property {number} reversals
- * @property {{kappa: number, psi: number}} sensitivity
- * @property {number} contactDuration
+ * @property {number} firstEpisodeShare
  * @property {Float64Array} starts of the episodes
  * @property {Int8Array} directions of their sliding, 0 where they stick
- * @property {Float64Array} time
- * @property {Float64Array} compression
- * @property {Float64Array} compressionRate
- * @property {Float64Array} normalForce
- * @property {Float64Array} tangentialVelocity
- * @property {Float64Array} springElongation
- * @property {Float64Array} tangentialForce with the sign of the elongation, over μ
- * @property {Float64Array} tangentialEnergy
- * @property {Int8Array} regime
  */
+
+/**
+ * A collision over time, scaled as the service's.
+ * @typedef {Outcome & Course & {
+ *   time: Float64Array, compression: Float64Array, compressionRate: Float64Array,
+ *   normalForce: Float64Array, tangentialVelocity: Float64Array, springElongation: Float64Array,
+ *   tangentialForceOverMu: Float64Array, tangentialEnergy: Float64Array, regime: Int8Array,
+ * }} Trace
+ */
+
+/**
+ * What a ball's motion takes from its collision, and the one after its flight.
+ * @typedef {object} Bounce
+ * @property {number} massShare
+ * @property {number} centreChange
+ * @property {number} spinChange
+ * @property {number} kappa
+ * @property {number} gtOverGn
+ * @property {number} damping
+ */
+
+/** @typedef {Awaited<ReturnType<typeof createKernel>>} Kernel */
 
 /** Collisions of a list that are computed at a time; they don't depend on each other. */
 const PART = 8192;
 
 export const MOST_SAMPLES = 2048;
 
-/** More episodes than these have no trace here. */
-const ROOM = 2048;
+/** More episodes than these have no trace here, nor from the server. */
+const ROOM = 20_001;
 
-const CURVES = 7;
+const COLUMNS = 7;
 
-/** Numbers that a call leaves beside its arrays. */
-const SUMMARY = 8;
+/** Numbers that a call leaves of a collision's outcome; a trace has two besides. */
+const OUTCOME = 9;
+
+/**
+ * A collision as the service has it, and many of one μ/α and η.
+ * @typedef {{kappa: number, mu_over_alpha: number, gt_over_gn: number, damping: number}} Collision
+ * @typedef {{kappa: Float64Array, muOverAlpha: number, gtOverGn: Float64Array, damping: number}} List
+ */
 
 /**
  * What a module says of itself.
@@ -119,7 +132,6 @@ export async function createKernel(module) {
   const entries = /** @type {Entries} */ (/** @type {unknown} */ (exports));
   const { __linear_memory: memory, __stack_pointer: stackPointer } = env;
 
-  const mostSwitches = about.most_switches;
   let top = about.free;
   /** @param {number} bytes */
   const reserve = (bytes) => {
@@ -133,8 +145,8 @@ export async function createKernel(module) {
   const contact = reserve(about.contact);
   const lanes = reserve(about.lanes);
   const labels = reserve(about.labels);
-  const summary = new Float64Array(memory.buffer, reserve(8 * SUMMARY), SUMMARY);
-  const columns = MOST_SAMPLES + ROOM;
+  const summary = new Float64Array(memory.buffer, reserve(8 * (OUTCOME + 2)), OUTCOME + 2);
+  const mostColumns = MOST_SAMPLES + ROOM;
   /** Where the arrays of a call begin. */
   const rest = top;
 
@@ -173,44 +185,55 @@ export async function createKernel(module) {
     return prepared === damping && call(`damped_${name}`, contact, ...given);
   }
 
-  /**
-   * The contact of η.
-   * @param {number} damping
-   * @returns {Contact | null}
-   */
-  function contactOf(damping) {
-    if (!callOver(damping, "describe", summary.byteOffset)) {
-      return null;
-    }
-    const [duration, normalRestitution, largestForce] = summary;
-    return { duration, normalRestitution, largestForce };
+  /** @returns {Outcome} that the last call has left */
+  function outcome() {
+    return {
+      epsilonT: summary[0],
+      switches: summary[1],
+      isCertain: summary[2] === 1,
+      errorBound: summary[3],
+      psi: summary[4],
+      contactDuration: summary[5],
+      epsilonN: summary[6],
+      dissipatedShare: summary[7],
+      coulomb: summary[8],
+    };
   }
 
   /**
    * One collision.
-   * @param {number} kappa
-   * @param {number} psi 0 stands for the limit ψ → 0; infinity gives ε_t = 1
-   * @param {number} damping η
+   * @param {Collision} collision
    * @returns {Outcome | null}
    */
-  function collision(kappa, psi, damping = 0) {
-    if (!callOver(damping, "collide", mostSwitches, kappa, psi, summary.byteOffset)) {
-      return null;
-    }
-    const [epsilonT, switches, certain, errorBound, expectedSwitches] = summary;
-    return { epsilonT, switches, isCertain: certain === 1, errorBound, expectedSwitches };
+  function collision({ kappa, mu_over_alpha: mu, gt_over_gn: gt, damping }) {
+    const given = [about.most_switches, kappa, mu, gt, summary.byteOffset];
+    return callOver(damping, "collide", ...given) ? outcome() : null;
+  }
+
+  /**
+   * Copies of numbers in memory, at the beginning of the arrays of a call.
+   * @param {Float64Array[]} columns of one length
+   */
+  function put(columns) {
+    top = rest;
+    return columns.map((column) => {
+      const address = reserve(8 * column.length);
+      new Float64Array(memory.buffer, address, column.length).set(column);
+      return address;
+    });
   }
 
   /**
    * The collisions of a list, a cut or a map.
-   * @param {ArrayLike<number>} kappa
-   * @param {ArrayLike<number>} psi as many
-   * @param {number} damping η of all of them
+   * @param {List} list
+   * @param {number} [mostSwitches] collisions of more are not followed
    * @returns {Outcomes | null}
    */
-  function collisions(kappa, psi, damping = 0) {
-    const [kappas, psis] = [new Float64Array(kappa), new Float64Array(psi)];
-    const size = kappas.length;
+  function collisions(
+    { kappa, muOverAlpha, gtOverGn, damping },
+    mostSwitches = about.most_switches,
+  ) {
+    const size = kappa.length;
     const found = {
       epsilonT: new Float64Array(size),
       switches: new Int32Array(size),
@@ -219,22 +242,18 @@ export async function createKernel(module) {
     };
     for (let begin = 0; begin < size; begin += PART) {
       const count = Math.min(PART, size - begin);
-      top = rest;
-      const given = [kappas, psis].map((all) => {
-        const part = new Float64Array(memory.buffer, reserve(8 * count), count);
-        part.set(all.subarray(begin, begin + count));
-        return part;
-      });
+      const [kappas, tangentials] = put(
+        [kappa, gtOverGn].map((all) => all.subarray(begin, begin + count)),
+      );
       const made = [
         new Float64Array(memory.buffer, reserve(8 * count), count),
         new Int32Array(memory.buffer, reserve(4 * count), count),
         new Uint8Array(memory.buffer, reserve(count), count),
         new Float64Array(memory.buffer, reserve(8 * count), count),
       ];
-      const addresses = [...given, ...made].map((array) => array.byteOffset);
-      if (
-        !callOver(damping, "collide_in_lanes", mostSwitches, count, ...addresses, lanes, labels)
-      ) {
+      const addresses = made.map((array) => array.byteOffset);
+      const given = [mostSwitches, count, kappas, muOverAlpha, tangentials, ...addresses];
+      if (!callOver(damping, "collide_in_lanes", ...given, lanes, labels)) {
         return null;
       }
       Object.values(found).forEach((all, i) => all.set(made[i], begin));
@@ -243,52 +262,93 @@ export async function createKernel(module) {
   }
 
   /**
+   * What simple laws have for the collisions of a list, as short as a cut.
+   * @param {List} list of at most `PART` collisions
+   * @param {number} epsilonN of all of them
+   * @returns {SimpleLaws | null}
+   */
+  function simpleLaws({ kappa, muOverAlpha, gtOverGn, damping }, epsilonN) {
+    const count = kappa.length;
+    const [kappas, tangentials] = put([kappa, gtOverGn]);
+    const made = [0, 1, 2].map(() => reserve(8 * count));
+    const damped = damping > 0 ? 1 : 0;
+    const given = [epsilonN, damped, count, kappas, muOverAlpha, tangentials, ...made];
+    if (!call("find_simple_laws", ...given)) {
+      return null;
+    }
+    const [coulomb, stiffBound, stiffAsymptote] = made.map((address) => numbers(address, count));
+    return { coulomb, stiffBound, stiffAsymptote };
+  }
+
+  /** @param {number} address @param {number} count */
+  function numbers(address, count) {
+    return new Float64Array(memory.buffer, address, count).slice();
+  }
+
+  /** @param {number} address @param {number} count */
+  function signs(address, count) {
+    return new Int8Array(memory.buffer, address, count).slice();
+  }
+
+  /**
    * One collision at uniform instants, merged with those of its switches.
-   * @param {number} kappa
-   * @param {number} psi
-   * @param {number} damping η
+   * @param {Collision} collision
    * @param {number} samples 2 to `MOST_SAMPLES`
    * @returns {Trace | null}
    */
-  function trace(kappa, psi, damping = 0, samples = 400) {
+  function trace({ kappa, mu_over_alpha: mu, gt_over_gn: gt, damping }, samples) {
     if (samples < 2 || samples > MOST_SAMPLES) {
       return null;
     }
     top = rest;
     const starts = reserve(8 * ROOM);
     const directions = reserve(ROOM);
-    const time = reserve(8 * columns);
-    const curves = reserve(8 * CURVES * columns);
-    const regime = reserve(columns);
-    const episodes = [starts, directions];
-    const arrays = [...episodes, time, curves, regime, lanes, labels, summary.byteOffset];
-    if (!callOver(damping, "trace", mostSwitches, kappa, psi, samples, ROOM, ...arrays)) {
+    const time = reserve(8 * mostColumns);
+    const columns = reserve(8 * COLUMNS * mostColumns);
+    const regime = reserve(mostColumns);
+    const arrays = [starts, directions, time, columns, regime, lanes, labels, summary.byteOffset];
+    const given = [about.most_switches, kappa, mu, gt, samples, ROOM];
+    if (!callOver(damping, "trace", ...given, ...arrays)) {
       return null;
     }
-    const [epsilonT, switches, certain, errorBound, reversals, byKappa, byPsi, contactDuration] =
-      summary;
-    const size = samples + switches;
-    /** @param {number} address @param {number} count */
-    const numbers = (address, count) => new Float64Array(memory.buffer, address, count).slice();
-    /** @param {number} address @param {number} count */
-    const signs = (address, count) => new Int8Array(memory.buffer, address, count).slice();
-    const rows = Array.from({ length: CURVES }, (_, row) => numbers(curves + 8 * row * size, size));
+    const followed = outcome();
+    const episodes = followed.switches + 1;
+    const size = samples + followed.switches;
+    /** @param {number} row */
+    const column = (row) => numbers(columns + 8 * row * size, size);
     return {
-      ...{ epsilonT, switches, isCertain: certain === 1, errorBound, reversals, contactDuration },
-      sensitivity: { kappa: byKappa, psi: byPsi },
-      starts: numbers(starts, switches + 1),
-      directions: signs(directions, switches + 1),
+      ...followed,
+      reversals: summary[OUTCOME],
+      firstEpisodeShare: summary[OUTCOME + 1],
+      starts: numbers(starts, episodes),
+      directions: signs(directions, episodes),
       time: numbers(time, size),
-      compression: rows[0],
-      compressionRate: rows[1],
-      normalForce: rows[2],
-      tangentialVelocity: rows[3],
-      springElongation: rows[4],
-      tangentialForce: rows[5],
-      tangentialEnergy: rows[6],
+      compression: column(0),
+      compressionRate: column(1),
+      normalForce: column(2),
+      tangentialVelocity: column(3),
+      springElongation: column(4),
+      tangentialForceOverMu: column(5),
+      tangentialEnergy: column(6),
       regime: signs(regime, size),
     };
   }
 
-  return { contactOf, collision, collisions, trace };
+  /**
+   * A ball of α that bounces off a wall or an equal sphere.
+   * @param {number} alpha
+   * @param {"wall" | "sphere"} partner
+   * @param {Collision} given
+   * @param {Pick<Outcome, "epsilonN" | "epsilonT">} found of that
+   * @returns {Bounce}
+   */
+  function bounce(alpha, partner, given, { epsilonN, epsilonT }) {
+    const massShare = about.mass_shares[partner];
+    const { kappa: before, gt_over_gn: gt, damping: eta } = given;
+    call("bounce", alpha, massShare, before, gt, eta, epsilonN, epsilonT, summary.byteOffset);
+    const [centreChange, spinChange, kappa, gtOverGn, damping] = summary;
+    return { massShare, centreChange, spinChange, kappa, gtOverGn, damping };
+  }
+
+  return { collision, collisions, simpleLaws, trace, bounce };
 }

@@ -89,10 +89,15 @@ export function mountResultStrip(element) {
       typeset(summary, sentence);
       write(
         provenance,
-        `${titleOf(METHODS, result.method)} ${errorBound(result.error_bound)} · ${duration(result.milliseconds)}`,
+        `${titleOf(METHODS, result.method)} ${errorBound(result.error_bound)} · ${took(result)}`,
       );
     },
   };
+}
+
+/** Who has computed, or how long the server took for it. @param {Answered["result"]} result */
+function took({ milliseconds }) {
+  return milliseconds === null ? say("result.inThisPage") : duration(milliseconds);
 }
 
 /** @param {number | null} value */

@@ -2,7 +2,7 @@ import type { createClient } from "../api/client.js";
 import type { Preset } from "../api/answers.js";
 import type { Picture } from "../pictures/panel-picture.js";
 import type { Accuracy } from "../state/accuracy.js";
-import type { CollisionWish, LoadedCollision } from "../state/loading/collision-load.js";
+import type { CollisionWish, LoadedCollision, Source } from "../state/loading/collision-load.js";
 import type { Collision } from "../state/parameters.js";
 import type { Change } from "../state/store.js";
 import type { PageState } from "../state/address/options.js";
@@ -10,6 +10,8 @@ import type { PageState } from "../state/address/options.js";
 /** What the page gives to each of its scenes. */
 export interface Page {
   client: ReturnType<typeof createClient>;
+  /** Who is asked for what the kernel in the page may answer. */
+  source: Source;
   present(): PageState;
   set(patch: Partial<PageState>, change?: Partial<Change>): void;
   setCollision(patch: Partial<Collision>, change?: Partial<Change>): void;

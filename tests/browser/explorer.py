@@ -20,6 +20,11 @@ ACQUAINTED = """
   }
 """
 
+# Runs before the page's own scripts: what a strict policy of a proxy does.
+REFUSE_KERNEL = """
+  WebAssembly.compile = () => Promise.reject(new WebAssembly.CompileError("refused"));
+"""
+
 USUAL = {"kappa": "63", "mu_over_alpha": "1.4", "gt_over_gn": "1.358"}
 """Where the page begins."""
 

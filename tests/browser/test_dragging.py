@@ -3,13 +3,24 @@
 How long it takes is measured by `make times`; here it is what comes, and before what.
 """
 
+import math
 from collections.abc import Iterator
 
 import pytest
-from explorer import COUNT_DRAWINGS, Witness, agrees, collision_of, settle, text, visit
+from explorer import (
+    COUNT_DRAWINGS,
+    REFUSE_KERNEL,
+    Witness,
+    agrees,
+    ask,
+    collision_of,
+    settle,
+    text,
+    visit,
+)
 from playwright.sync_api import Locator, Page
 from rest import eventually, rest
-from test_truth import assert_traces
+from test_truth import assert_pictured, assert_traces
 
 from cases import every_day
 
@@ -105,14 +116,21 @@ def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, serv
     visit(used_tab, "/")
     settle(used_tab, server)
     rest(used_tab)
+    witness.calls.clear()
     used_tab.evaluate(RECORD)
     used_tab.evaluate(COUNT_DRAWINGS)
     for _ in drag(used_tab, used_tab.get_by_test_id(f"{name}-slider")):
         follows(used_tab, "crosshair", "force-trace")
         rest(used_tab)
         assert agrees(used_tab, server)
-        assert_traces(used_tab, server, witness, collision_of(used_tab))
+        # the kernel's, so not to the last digit
+        there = collision_of(used_tab)
+        samples = max(300, math.ceil(10 * there["kappa"] ** 0.5))
+        assert_pictured(used_tab, ask(server, "trace", **there, samples=samples), 1e-11)
+        assert witness.last("trace") is None
+        assert text(used_tab, "provenance").endswith("in this page")
     rest(used_tab)
+    assert_traces(used_tab, server, witness, collision_of(used_tab))
     # while dragging it is moved by hand; Plotly draws it after the release, or for another axis
     if name != "damping":
         assert used_tab.evaluate("() => drawings['force-trace']") <= STEPS // 2
@@ -123,7 +141,9 @@ def test_force_trace_and_result_follow_every_step_of_a_drag(used_tab: Page, serv
 def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
     page: Page, server: str, name: str
 ):
+    """Where a browser refuses the kernel."""
     page.add_init_script(GATE)
+    page.add_init_script(REFUSE_KERNEL)
     page.goto("/")
     settle(page, server)
     rest(page)
@@ -144,6 +164,30 @@ def test_controls_strip_and_crosshair_do_not_wait_for_the_server(
     # one was under way while the hand moved, and the newest wish came after it
     assert page.evaluate("() => asked.trace") - traces <= 2
     assert max(page.evaluate("() => mostUnderWay").values()) <= 2
+
+
+@pytest.mark.own_page
+@pytest.mark.parametrize("name", every_day({"mu-over-alpha"}, of=[*SLIDERS, "crosshair"]))
+def test_nothing_waits_for_the_server_while_a_hand_drags(page: Page, server: str, name: str):
+    page.add_init_script(GATE)
+    page.goto("/?bounce=wall_twice")
+    settle(page, server)
+    rest(page)
+    page.evaluate(RECORD)
+    before = page.evaluate("() => ({...asked})")
+    page.evaluate("() => shut()")
+    is_map = name == "crosshair"
+    place = page.get_by_test_id("crosshair" if is_map else f"{name}-slider")
+    for _ in drag(page, place, across=is_map):
+        follows(page, "crosshair", "strip", "force-trace")
+        rest(page)
+        assert agrees(page, server)
+        assert page.evaluate("() => ({...asked})") == before
+    page.evaluate("() => unlock()")
+    rest(page)
+    assert agrees(page, server)
+    # the hand rests: the server confirms
+    assert page.evaluate("() => asked.trace") == before["trace"] + 1
 
 
 SPHERES = [

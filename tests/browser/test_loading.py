@@ -5,7 +5,7 @@ import urllib.parse
 
 import numpy as np
 import pytest
-from explorer import PARAMETERS, Witness, collision_of, settle, text
+from explorer import PARAMETERS, REFUSE_KERNEL, Witness, collision_of, settle, text
 from playwright.sync_api import Page, Request, expect
 from rest import eventually, rest
 
@@ -120,6 +120,7 @@ window.setTimeout = (task, wait, ...rest) => {
 @pytest.mark.own_page
 def test_a_busy_server_is_asked_calmly_and_the_page_recovers(page: Page, server: str):
     page.add_init_script(NOTE_WAITS)
+    page.add_init_script(REFUSE_KERNEL)
     flight = InFlight(page)
     page.goto("/")
     settle(page, server)

@@ -6,9 +6,20 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from explorer import PARAMETERS, Witness, agrees, ask, collision_of, settle, text, trace_of, visit
+from explorer import (
+    PARAMETERS,
+    REFUSE_KERNEL,
+    Witness,
+    agrees,
+    ask,
+    collision_of,
+    settle,
+    text,
+    trace_of,
+    visit,
+)
 from playwright.sync_api import Page, expect
-from rest import rest
+from rest import eventually, rest
 
 from cases import every_day
 
@@ -181,17 +192,41 @@ def test_nonsense_in_the_address_ends_in_a_working_page(explorer, server, addres
     assert agrees(explorer, server)
 
 
-def test_a_lost_server_keeps_the_picture_and_the_page_recovers(tab: Page, server: str):
-    before = text(tab, "summary")
+@pytest.mark.own_page
+def test_a_lost_server_keeps_the_picture_and_the_page_recovers(page: Page, server: str):
+    page.add_init_script(REFUSE_KERNEL)
+    page.goto("/")
+    settle(page, server)
+    rest(page)
+    before = text(page, "summary")
+    page.route("**/api/**", lambda route: route.abort())
+    page.route("**/healthz", lambda route: route.abort())
+    page.get_by_test_id("kappa-slider").press("ArrowRight")
+    expect(page.get_by_test_id("banner")).to_contain_text("The last picture stays")
+    assert text(page, "summary") == before
+    expect(page.get_by_test_id("from-map")).to_have_css("opacity", "1")
+    page.unroute_all()
+    expect(page.get_by_test_id("banner")).to_be_empty()
+    settle(page, server)
+
+
+def test_without_its_server_the_page_computes_collisions_itself(tab: Page, server: str):
+    rest(tab)
     tab.route("**/api/**", lambda route: route.abort())
-    tab.route("**/healthz", lambda route: route.abort())
     tab.get_by_test_id("kappa-slider").press("ArrowRight")
-    expect(tab.get_by_test_id("banner")).to_contain_text("does not answer")
-    assert text(tab, "summary") == before
-    expect(tab.get_by_test_id("from-map")).to_have_css("opacity", "1")
+    expect(tab.get_by_test_id("banner")).to_contain_text("in this page meanwhile")
+
+    def is_right() -> None:
+        assert agrees(tab, server)
+
+    for name, key in (("mu-over-alpha", "ArrowLeft"), ("damping", "PageUp")):
+        tab.get_by_test_id(f"{name}-slider").press(key)
+        eventually(is_right, tab)
+        assert text(tab, "provenance").endswith("in this page")
     tab.unroute_all()
     expect(tab.get_by_test_id("banner")).to_be_empty()
     settle(tab, server)
+    assert not text(tab, "provenance").endswith("in this page")
 
 
 @pytest.mark.verify

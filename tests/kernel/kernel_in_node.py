@@ -15,7 +15,7 @@ SCRIPT = ROOT / "tests" / "frontend" / "kernel" / "answer.js"
 
 def answers(calls: list[list[Any]]) -> list[Any]:
     """Return what the calls of frontend/kernel/kernel.js give, each a name and its arguments."""
-    written = json.dumps([["infinity" if g == math.inf else g for g in call] for call in calls])
+    written = json.dumps(calls)
     done = subprocess.run(
         [Path(sys.executable).with_name("node"), SCRIPT],
         input=written,
@@ -24,6 +24,14 @@ def answers(calls: list[list[Any]]) -> list[Any]:
         check=True,
     )
     return json.loads(done.stdout)
+
+
+def collision(kappa: float, psi: float, damping: float = 0.0) -> dict[str, float]:
+    """Return the parameters of a collision, of μ/α = 1 but where ψ is infinite."""
+    given = {"mu_over_alpha": 1.0, "gt_over_gn": float(psi)}
+    if psi == math.inf:
+        given = {"mu_over_alpha": 0.0, "gt_over_gn": 1.0}
+    return {"kappa": float(kappa), **given, "damping": float(damping)}
 
 
 def column(found: list[dict[str, Any]], name: str) -> np.ndarray:

@@ -4,6 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 
+from restitution.mechanics.contact import normal_curves
 from restitution.mechanics.hertz import (
     CONTACT_DURATION,
     HALF_CONTACT,
@@ -12,7 +13,6 @@ from restitution.mechanics.hertz import (
     MAXIMUM_FORCE,
     normal_motion,
 )
-from restitution.mechanics.motion import normal_curves
 
 ROUNDING = 2.0**-52
 

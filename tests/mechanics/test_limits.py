@@ -228,7 +228,7 @@ def test_schwager2008_figure6_first_minimum():
     path = motion(100.0, 0.3)
     # sticking begins at once; the velocity is smallest a quarter swing after z = 0
     assert path.switches == 6
-    from restitution.mechanics.motion import tangential_curves  # noqa: PLC0415 - only here
+    from restitution.mechanics.curves import tangential_curves  # noqa: PLC0415 - only here
 
     time = np.linspace(0, 1.3, 2001)
     velocity = tangential_curves(path, time).velocity

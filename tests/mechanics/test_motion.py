@@ -8,14 +8,10 @@ from solver import solve_with_events
 
 from restitution.errors import CostError, ParameterError
 from restitution.mechanics.collision import collide
+from restitution.mechanics.contact import normal_curves
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import CONTACT_DURATION
-from restitution.mechanics.motion import (
-    motion,
-    normal_curves,
-    reversals,
-    sensitivity,
-    tangential_curves,
-)
+from restitution.mechanics.motion import motion, reversals, sensitivity
 
 kappas = st.builds(lambda e: 10.0**e, st.floats(-3, 4))
 psis = st.builds(lambda e: 10.0**e, st.floats(-4, 1))

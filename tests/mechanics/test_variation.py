@@ -5,8 +5,7 @@ import pytest
 
 from cases import every_day
 from restitution.mechanics.collision import collide
-from restitution.mechanics.contact import contact_duration, largest_force
-from restitution.mechanics.motion import normal_curves
+from restitution.mechanics.contact import contact_duration, largest_force, normal_curves
 from restitution.mechanics.variation import (
     FIRST_SWING,
     HELD_BY_THE_CAP,

@@ -13,10 +13,10 @@ from restitution.mechanics.contact import (
     contact_of,
     largest_compression,
     largest_force,
+    normal_curves,
     normal_restitution,
 )
 from restitution.mechanics.hertz import CONTACT_DURATION, MAXIMUM_FORCE
-from restitution.mechanics.motion import normal_curves
 
 DOCUMENT = (Path(__file__).parents[2] / "docs" / "model.md").read_text()
 

@@ -25,7 +25,9 @@ PLOTLY = Path(str(files("plotly").joinpath("package_data", "plotly.min.js"))).re
 PAGE_HEADERS = {
     # Plotly sets styles from its script; nothing else is inline, nothing comes from elsewhere.
     "Content-Security-Policy": (
-        "default-src 'self'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
+        # the kernel that computes in the page is WebAssembly
+        "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; "
+        "style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:; "
         # what a saved picture embeds is read once by the page itself, see embedded-fonts.js
         "font-src 'self' data:; "
         # no rule about frames: anybody may show it in one, that is what `embed` is for

@@ -13,14 +13,17 @@ import math
 from collections.abc import Callable
 from typing import Concatenate, ParamSpec, TypeVar
 
+import numpy as np
+import numpy.typing as npt
+
 from restitution.errors import ParameterError
 from restitution.mechanics import elastic, viscoelastic
-from restitution.mechanics.compiled import chosen_by_type
+from restitution.mechanics.compiled import chosen_by_type, compiled
 from restitution.mechanics.damped import sliding
 from restitution.mechanics.damped.motion import Viscoelastic, damped_motion, rate_at
 from restitution.mechanics.damped.preparing import MOST_STEPS, prepare
 from restitution.mechanics.elastic import Elastic
-from restitution.mechanics.hertz import MAXIMUM_COMPRESSION
+from restitution.mechanics.hertz import MAXIMUM_COMPRESSION, FloatArray
 
 Contact = Elastic | Viscoelastic
 
@@ -201,3 +204,44 @@ def largest_compression(damping: float) -> float:
             high = middle
     root, _, _, _ = damped_motion(contact, True, high)
     return root * root / contact.unit
+
+
+@compiled
+def _normal_curves(contact: Contact, time: FloatArray, curves: FloatArray) -> None:
+    """Fill the rows x, ẋ, P of `curves` (3, N) at the times `time` (N,)."""
+    for i in range(time.size):
+        now = at_time(contact, time[i])
+        curves[0, i] = now.root * now.root / contact.unit
+        curves[1, i] = contact.last_rate + now.loss if now.falling else 1.0 - now.loss
+        curves[2, i] = now.root * now.cap * contact.unit
+
+
+def normal_curves(time: npt.ArrayLike, damping: float = 0.0) -> FloatArray:
+    """Return compression, its rate and the normal force during a contact.
+
+    Parameters
+    ----------
+    time : array_like, shape (...)
+        Time since the first touch, scaled by t_scale; 0 … t_c.
+    damping : float, optional
+        η.
+
+    Returns
+    -------
+    ndarray, shape (3, ...)
+        x, ẋ and F_n, scaled by ξ_scale, g_n and m_eff ξ_scale / t_scale².
+
+    Examples
+    --------
+    >>> x, rate, _ = normal_curves(0.5 * contact_duration(0.0))
+    >>> bool(abs(x - 1.25**0.4) < 1e-15), bool(abs(rate) < 1e-15)
+    (True, True)
+    """
+    contact = contact_of(damping)
+    moments = np.asarray(time, dtype=np.float64)
+    flat = np.ascontiguousarray(moments.ravel())
+    if not np.all((flat >= 0) & (flat <= contact.duration / contact.unit)):
+        raise AssertionError("a contact lasts from 0 to its duration")
+    curves = np.empty((3, flat.size))
+    _normal_curves(contact, flat, curves)
+    return curves.reshape(3, *moments.shape)

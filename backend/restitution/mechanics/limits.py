@@ -175,9 +175,17 @@ def stiff_asymptote(kappa: npt.ArrayLike, psi: npt.ArrayLike) -> FloatArray:
 
 
 @compiled
-def simple_laws(kappa: float, psi: float, epsilon_n: float) -> tuple[float, float, float]:
-    """Return `coulomb_restitution`, `stiff_bound` and `stiff_asymptote` of one collision."""
-    return max(0.0, _sliding(psi, epsilon_n)), _bound(kappa, psi), _asymptote(kappa, psi)
+def simple_laws(
+    kappa: float, psi: float, epsilon_n: float, damped: bool
+) -> tuple[float, float, float]:
+    """Return `coulomb_restitution`, `stiff_bound` and `stiff_asymptote` of one collision.
+
+    The stiff limits are made for η = 0: NaN for one that is damped.
+    """
+    coulomb = max(0.0, _sliding(psi, epsilon_n))
+    if damped:
+        return coulomb, np.nan, np.nan
+    return coulomb, _bound(kappa, psi), _asymptote(kappa, psi)
 
 
 def largest_switch_count(kappa: npt.ArrayLike) -> FloatArray:

@@ -1,12 +1,10 @@
-"""The collision in time: episodes, the motion at any instant, turns, sensitivity.
+"""A collision followed from switch to switch: its episodes, turns, sensitivity, lost energy.
 
-As in `collision`, z and u are the paper's divided by μ/α. What is returned is further divided by
-u(0) = ψ, and so neither overflows nor underflows.
+As in `collision`, z and u are the paper's divided by μ/α; `curves` has them at any instant.
 """
 
 import math
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -23,7 +21,6 @@ from restitution.mechanics.compiled import compiled
 from restitution.mechanics.contact import (
     Contact,
     at_place,
-    at_time,
     contact_duration,
     contact_of,
     expected_switches,
@@ -82,60 +79,6 @@ class Motion:
             self.episodes["sliding"], self.episodes["side"], 0
         ).astype(np.int8)
         return direction
-
-
-class TangentialCurves(NamedTuple):
-    """Tangential motion at given instants; arrays of shape (N,)."""
-
-    velocity: FloatArray
-    """u(t)/ψ."""
-    elongation: FloatArray
-    """z(t)/ψ, in units of t_scale times the velocity."""
-    force: FloatArray
-    """|F| with the sign of z, F = min(x^{3/2}, κ|z|); not divided by ψ."""
-    regime: npt.NDArray[np.int8]
-    """Sign of z while sliding, 0 while sticking."""
-
-
-@compiled
-def _normal_curves(contact: Contact, time: FloatArray, curves: FloatArray) -> None:
-    """Fill the rows x, ẋ, P of `curves` (3, N) at the times `time` (N,)."""
-    for i in range(time.size):
-        now = at_time(contact, time[i])
-        curves[0, i] = now.root * now.root / contact.unit
-        curves[1, i] = contact.last_rate + now.loss if now.falling else 1.0 - now.loss
-        curves[2, i] = now.root * now.cap * contact.unit
-
-
-def normal_curves(time: npt.ArrayLike, damping: float = 0.0) -> FloatArray:
-    """Return compression, its rate and the normal force during a contact.
-
-    Parameters
-    ----------
-    time : array_like, shape (...)
-        Time since the first touch, scaled by t_scale; 0 … t_c.
-    damping : float, optional
-        η.
-
-    Returns
-    -------
-    ndarray, shape (3, ...)
-        x, ẋ and F_n, scaled by ξ_scale, g_n and m_eff ξ_scale / t_scale².
-
-    Examples
-    --------
-    >>> x, rate, _ = normal_curves(0.5 * contact_duration(0.0))
-    >>> bool(abs(x - 1.25**0.4) < 1e-15), bool(abs(rate) < 1e-15)
-    (True, True)
-    """
-    contact = contact_of(damping)
-    moments = np.asarray(time, dtype=np.float64)
-    flat = np.ascontiguousarray(moments.ravel())
-    if not np.all((flat >= 0) & (flat <= contact.duration / contact.unit)):
-        raise AssertionError("a contact lasts from 0 to its duration")
-    curves = np.empty((3, flat.size))
-    _normal_curves(contact, flat, curves)
-    return curves.reshape(3, *moments.shape)
 
 
 @compiled
@@ -225,88 +168,6 @@ def motion(
 
 
 @compiled
-def instants(duration: float, samples: int, switch_times: FloatArray) -> FloatArray:
-    """Return `samples` uniform instants from 0 to `duration`, merged with the switches (N,)."""
-    time = np.empty(samples + switch_times.size)
-    step = duration / (samples - 1)
-    j = 0
-    for i in range(samples):
-        uniform = duration if i == samples - 1 else i * step
-        while j < switch_times.size and switch_times[j] < uniform:
-            time[i + j] = switch_times[j]
-            j += 1
-        time[i + j] = uniform
-    for k in range(j, switch_times.size):
-        time[samples + k] = switch_times[k]
-    return time
-
-
-@compiled
-def _tangential_curves(
-    contact: Contact,
-    kappa: float,
-    psi: float,
-    episodes: npt.NDArray[np.void],
-    start: FloatArray,
-    time: FloatArray,
-    curves: FloatArray,
-    regime: npt.NDArray[np.int8],
-) -> None:
-    """Fill the rows u/ψ, z/ψ, F of `curves` (3, N) at the ascending instants `time` (N,)."""
-    omega = math.sqrt(kappa)
-    j = -1
-    for i in range(time.size):
-        while j + 1 < start.size and time[i] >= start[j + 1]:
-            j += 1
-            begin = at_place(contact, episodes[j]["falling"], episodes[j]["q"])
-            u0, side = episodes[j]["velocity"], float(episodes[j]["side"])
-            p0 = side * (begin.root * begin.cap * contact.unit)
-        now = at_time(contact, time[i])
-        cap = now.cap * (now.root * contact.unit)
-        if episodes[j]["sliding"]:
-            if now.falling != begin.falling:
-                gain = now.loss + begin.loss - contact.impulse
-            else:
-                gain = now.loss - begin.loss if now.falling else begin.loss - now.loss
-            curves[0, i] = (u0 + side * gain) / psi
-            curves[1, i] = side * cap / kappa / psi
-            curves[2, i] = side * cap
-            regime[i] = episodes[j]["side"]
-        else:
-            if now.falling != begin.falling:
-                elapsed = contact.duration - now.passed - begin.passed
-            else:
-                elapsed = begin.passed - now.passed if now.falling else now.passed - begin.passed
-            phase = omega * elapsed / contact.unit
-            sine, cosine = math.sin(phase), math.cos(phase)
-            pull = p0 * cosine + omega * u0 * sine
-            curves[0, i] = (u0 * cosine - p0 / omega * sine) / psi
-            curves[1, i] = (p0 / kappa * cosine + u0 / omega * sine) / psi
-            curves[2, i] = math.copysign(min(abs(pull), cap), pull)
-            regime[i] = 0
-
-
-def tangential_curves(collision: Motion, time: FloatArray) -> TangentialCurves:
-    """Return the tangential motion at the ascending instants `time` (N,), 0 … t_c.
-
-    An instant of a switch belongs to the episode that begins there.
-    """
-    curves = np.empty((3, time.size))
-    regime = np.empty(time.size, np.int8)
-    _tangential_curves(
-        contact_of(collision.damping),
-        collision.kappa,
-        collision.psi,
-        collision.episodes,
-        collision.start,
-        np.ascontiguousarray(time, dtype=np.float64),
-        curves,
-        regime,
-    )
-    return TangentialCurves(curves[0], curves[1], curves[2], regime)
-
-
-@compiled
 def _reversals(
     kappa: float,
     episodes: npt.NDArray[np.void],
@@ -382,3 +243,23 @@ def sensitivity(collision: Motion) -> tuple[float, float]:
         collision.kappa, collision.psi, collision.episodes, collision.start, collision.force
     )
     return float(by_kappa), float(by_psi - collision.epsilon_t)
+
+
+@compiled
+def dissipated_share(epsilon_t: float) -> float:
+    """Return the share of the tangential energy that is lost, 1 − ε_t²."""
+    return (1.0 - epsilon_t) * (1.0 + epsilon_t)
+
+
+MASS_SHARES = {"wall": 1.0, "sphere": 0.5}
+"""m_eff/m of the ball: its share of a relative velocity in the frame of the centre of mass."""
+
+
+@compiled
+def impulse_shares(alpha: float, mass_share: float) -> tuple[float, float]:
+    """Return what of (1 − ε_t) g_t a ball's centre and its Rω change by (Eqs. 13, 14).
+
+    `mass_share` is m_eff/m. The impulse is that at the point of contact, so that α of a change of
+    g_t is one of the centres and 1 − α one of the spins.
+    """
+    return -alpha * mass_share, (1.0 - alpha) * mass_share

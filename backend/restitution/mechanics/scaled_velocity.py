@@ -1,4 +1,4 @@
-"""ψ, the tangential velocity on which together with κ a collision depends."""
+"""What collisions depend on of their velocities: ψ, and κ and η of the same bodies."""
 
 import math
 
@@ -45,3 +45,17 @@ def scaled_velocity(mu_over_alpha: npt.ArrayLike, gt_over_gn: npt.ArrayLike) -> 
     frictions, tangentials = np.array(frictions, order="C"), np.array(tangentials, order="C")
     _scaled_velocities(frictions.ravel(), tangentials.ravel(), psi)
     return psi.reshape(frictions.shape)
+
+
+@compiled
+def after_flight(
+    kappa: float, gt_over_gn: float, damping: float, epsilon_n: float, epsilon_t: float
+) -> tuple[float, float, float]:
+    """Return κ, g_t/g_n and η of a ball that falls back onto a wall, from those of its collision.
+
+    It comes back with ε_n g_n and ε_t g_t, for gravity acts along the normal alone. κ ∝ g_n^{-2/5}
+    (Eq. 24), η ∝ g_n^{1/5}; exactly as they were where ε_n is 1.
+    """
+    slower = epsilon_n**0.2
+    tangential = abs(epsilon_t) * gt_over_gn
+    return kappa / (slower * slower), tangential / epsilon_n, damping * slower

@@ -6,8 +6,8 @@ from collections.abc import Callable
 import numpy as np
 
 from restitution.mechanics.contact import contact_duration, normal_restitution
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.motion import tangential_curves
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (
     KAPPA,

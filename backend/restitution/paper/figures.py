@@ -6,9 +6,10 @@ from typing import NamedTuple
 import numpy as np
 
 from restitution.mechanics.collision import collide
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import CONTACT_DURATION, HALF_CONTACT, FloatArray
 from restitution.mechanics.limits import coulomb_restitution
-from restitution.mechanics.motion import Motion, motion, tangential_curves
+from restitution.mechanics.motion import Motion, motion
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (
     FRICTION,

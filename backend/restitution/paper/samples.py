@@ -9,9 +9,11 @@ import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import Collision, collide
+from restitution.mechanics.contact import normal_curves
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import sliding_threshold
-from restitution.mechanics.motion import Motion, motion, normal_curves, tangential_curves
+from restitution.mechanics.motion import Motion, motion
 from restitution.mechanics.stepping import INTEGRATORS, tangential_step
 from restitution.methods.ode import integrate
 from restitution.studies.collision.presets import SOLID

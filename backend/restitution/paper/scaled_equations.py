@@ -6,13 +6,15 @@ from typing import NamedTuple
 import numpy as np
 
 from restitution.mechanics.collision import collide
+from restitution.mechanics.contact import normal_curves
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import (
     CONTACT_DURATION,
     MAXIMUM_COMPRESSION,
     MAXIMUM_FORCE,
 )
 from restitution.mechanics.limits import stiff_estimate
-from restitution.mechanics.motion import motion, normal_curves, reversals, tangential_curves
+from restitution.mechanics.motion import motion, reversals
 from restitution.mechanics.switching import MONOTONE_STIFFNESS
 from restitution.paper.equations import equation
 from restitution.paper.item import Item, judged, number, scene, shown

@@ -4,8 +4,9 @@ import numpy as np
 
 from restitution.mechanics.collision import collide
 from restitution.mechanics.contact import contact_duration
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.limits import GEAR_WHEEL_STIFFNESS, coulomb_restitution
-from restitution.mechanics.motion import motion, tangential_curves
+from restitution.mechanics.motion import motion
 from restitution.paper.item import Item, Verdict, judged, number, scene, shown
 from restitution.paper.samples import (
     KAPPA,

@@ -3,8 +3,9 @@
 import numpy as np
 
 from restitution.mechanics.contact import normal_restitution
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.limits import coulomb_restitution, sliding_restitution
-from restitution.mechanics.motion import motion, tangential_curves
+from restitution.mechanics.motion import motion
 from restitution.paper.equations import (
     ETAS,
     equation,

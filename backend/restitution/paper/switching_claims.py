@@ -5,9 +5,10 @@ import itertools
 import numpy as np
 
 from restitution.mechanics.collision import collide
+from restitution.mechanics.curves import tangential_curves
 from restitution.mechanics.hertz import HALF_CONTACT
 from restitution.mechanics.limits import FROM_TWO_ON, sliding_threshold
-from restitution.mechanics.motion import motion, tangential_curves
+from restitution.mechanics.motion import motion
 from restitution.paper.figures import SAME, counts_at
 from restitution.paper.item import Item, judged, number, shown
 from restitution.paper.letter_claims import LOOK, before_eight, ranges

@@ -4,6 +4,7 @@ import { bounceQuery, cutQuery, mapQuery, traceQuery } from "../../api/queries.j
 import { say } from "../../format/words.js";
 import { mostSwitches } from "../../figures/map-figure.js";
 import { mapTable } from "../../figures/tables.js";
+import { accuracyOf, sameAccuracy, USUAL_ACCURACY } from "../../state/accuracy.js";
 import { createFollower } from "../../state/loading/follower.js";
 import { horizontalAxis, placeOnMap, rowsOf } from "../../state/map-view.js";
 import { BOUNCES, sameCollision, SPIN_SHARE } from "../../state/parameters.js";
@@ -28,6 +29,8 @@ import {
   FULL_MAP,
   isEnoughCut,
   isEnoughMap,
+  isQuickCut,
+  isQuickMap,
   mapWish,
 } from "./wishes.js";
 
@@ -47,7 +50,7 @@ const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
  * @param {import("../scene.js").Page} page
  * @returns {import("../scene.js").Scene & Record<"showGhosts" | "showTrails", (ghosts: import("./ghosts.js").Ghosts) => void>}
  */
-export function mountExplorer({ client, present, set, setCollision, preview, explain, explainBy }) {
+export function mountExplorer({ source, present, set, setCollision, preview, explain, explainBy }) {
   const force = mountForceTrace(byTestId("force-trace"));
   const velocity = mountVelocity(byTestId("velocity"));
   const timeCursor = mountTimeCursor((share) => bounce.point(share));
@@ -66,7 +69,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   let trails = NO_GHOSTS;
 
   const maps = createFollower({
-    load: client.map,
+    load: (wish, signal) => source.of(isQuickMap(wish)).map(wish, signal),
+    isNear: (wish) => source.isNear(isQuickMap(wish)),
     isEnough: isEnoughMap,
     onAnswer(grid, wish) {
       shownMap = { grid, ...wish };
@@ -78,7 +82,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   });
 
   const cuts = createFollower({
-    load: client.cut,
+    load: (wish, signal) => source.of(isQuickCut(wish)).cut(wish, signal),
+    isNear: (wish) => source.isNear(isQuickCut(wish)),
     isEnough: isEnoughCut,
     onAnswer(loaded, { count, ...wish }) {
       shownCut = { cut: loaded, ...wish };
@@ -90,7 +95,8 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
   });
 
   const balls = createFollower({
-    load: createBallLoad(client),
+    load: createBallLoad(source),
+    isNear: ({ dragging }) => source.isNear(dragging),
     isEnough: isEnoughBall,
     onAnswer: bounce.showBall,
     onError(error) {
@@ -122,12 +128,12 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       map.legend.point(reading);
     }
     bounce.preview(reading && reading.epsilon_t);
-    afterNextFrame(() => {
-      announcePainted("crosshair", inputTimeStamp);
-      if (reading) {
-        announcePainted("strip", inputTimeStamp);
-      }
-    });
+    announceNext(reading ? ["crosshair", "strip"] : ["crosshair"], inputTimeStamp);
+  }
+
+  /** @param {string[]} views @param {number} inputTimeStamp */
+  function announceNext(views, inputTimeStamp) {
+    afterNextFrame(() => views.forEach((view) => announcePainted(view, inputTimeStamp)));
   }
 
   /**
@@ -143,7 +149,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       cuts.follow(cutWish(state, dragging, cuts.asked()));
     }
     if (shown.contact) {
-      balls.follow(ballWish(state));
+      balls.follow(ballWish(state, dragging));
     }
   }
 
@@ -210,7 +216,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       lay();
     },
 
-    show(state, previous, { inputTimeStamp }) {
+    show(state, previous, { dragging, inputTimeStamp }) {
       map.point(state.collision);
       map.options(state);
       cut.options(state);
@@ -219,7 +225,12 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       bounce.show(state);
       velocity.showEnergy(state.energy === "shown");
       if (previous && !sameCollision(state.collision, previous.collision)) {
-        read(state, inputTimeStamp);
+        const isAtOnce = source.isNear(dragging) && sameAccuracy(accuracyOf(state), USUAL_ACCURACY);
+        if (isAtOnce) {
+          announceNext(["crosshair", "strip"], inputTimeStamp);
+        } else {
+          read(state, inputTimeStamp);
+        }
       }
       if (previous && MAP_LOOKS.some((key) => state[key] !== previous[key])) {
         drawMap();
@@ -276,7 +287,7 @@ export function mountExplorer({ client, present, set, setCollision, preview, exp
       },
       contact: {
         title: say("bounce.title"),
-        request: () => ({ call: "bounce", query: bounceQuery(ballWish(present())) }),
+        request: () => ({ call: "bounce", query: bounceQuery(ballWish(present(), false)) }),
         parameters() {
           const { bounce: off, spin_share } = present();
           return {

@@ -36,6 +36,16 @@ export function mapWish(state, dragging, asked) {
   };
 }
 
+/** Whether it is one of a drag. @param {MapWish} wish */
+export function isQuickMap({ counts }) {
+  return counts === QUICK_MAP;
+}
+
+/** Whether it is one of a drag. @param {CutWish} wish */
+export function isQuickCut({ count }) {
+  return count === QUICK_CUT;
+}
+
 /** @param {MapWish} asked @param {MapWish} wish */
 export function isEnoughMap(asked, wish) {
   return sameAxes(asked, wish) && asked.counts.kappa >= wish.counts.kappa;
@@ -71,11 +81,12 @@ export function isEnoughCut(asked, wish) {
 /**
  * The ball that belongs to a state.
  * @param {Pick<PageState, "collision" | "alpha" | "bounce" | "spin_share">} state
+ * @param {boolean} dragging
  * @returns {import("../../state/loading/collision-load.js").BallWish}
  */
-export function ballWish({ collision, alpha, bounce, spin_share: spinShare }) {
+export function ballWish({ collision, alpha, bounce, spin_share: spinShare }, dragging) {
   const { partner, times } = bounceOf(bounce);
-  return { collision, alpha, partner, spinShare, times };
+  return { collision, alpha, partner, spinShare, times, dragging };
 }
 
 /**

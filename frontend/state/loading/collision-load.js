@@ -28,9 +28,10 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "../drawab
  */
 
 /**
- * @typedef {object} Server
- * @property {(collision: Collision, signal: AbortSignal) => Promise<CollisionAnswer>} collision
- * @property {(collision: Collision, signal: AbortSignal) => Promise<Trace>} trace
+ * What answers of the client's calls.
+ * @typedef {Pick<ReturnType<typeof import("../../api/client.js").createClient>, "collision" | "trace" | "answer" | "map" | "cut" | "bounce">} Server
+ *
+ * @typedef {ReturnType<typeof import("./source.js").createSource>} Source
  */
 
 /**
@@ -61,28 +62,33 @@ async function loadAlone(server, collision, signal) {
 
 /**
  * How a collision is asked for.
- * @param {Server & {answer: (collision: Collision, accuracy: Record<string, string>, signal: AbortSignal) => Promise<import("../../api/answers.js").Answer>}} server
+ * @param {Source} source
  */
-export function createCollisionLoad(server) {
+export function createCollisionLoad(source) {
   /**
    * @param {CollisionWish} wish
    * @param {AbortSignal} signal
    * @returns {Promise<LoadedCollision>}
    */
-  return async function load({ collision, accuracy, isPictured }, signal) {
-    const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
+  return async function load({ collision, accuracy, change, isPictured }, signal) {
+    const server = source.of(change.dragging);
+    // Who is alone with the kernel has the exact collision and no other method.
+    const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY) || source.isNear(false);
     const isOffered = canAnswer(accuracy.method, collision);
     const [exactly, answer] = await Promise.all([
       (isPictured ? loadPictured : loadAlone)(server, collision, signal),
       isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
     ]);
+    if (!source.isNear(change.dragging)) {
+      source.compare(exactly.result);
+    }
     const sentence = sentenceOf(exactly.result);
     return { ...exactly, sentence, result: { ...exactly.result, ...answer }, isOffered };
   };
 }
 
 /**
- * @typedef {import("../../api/queries.js").Ball & {times: 1 | 2}} BallWish
+ * @typedef {import("../../api/queries.js").Ball & {times: 1 | 2, dragging: boolean}} BallWish
  * @typedef {import("../../api/answers.js").Bounces} Bounces
  */
 
@@ -95,15 +101,16 @@ export function createCollisionLoad(server) {
 
 /**
  * How a ball is asked for: what it leaves with, and the next collision with its trace.
- * @param {Server & {bounce: (ball: BallWish, signal: AbortSignal) => Promise<Bounces>}} server
+ * @param {Source} source
  */
-export function createBallLoad(server) {
+export function createBallLoad(source) {
   /**
    * @param {BallWish} wish
    * @param {AbortSignal} signal
    * @returns {Promise<LoadedBall>}
    */
   return async function load(wish, signal) {
+    const server = source.of(wish.dragging);
     const answer = await server.bounce(wish, signal);
     const collision = wish.collision;
     if (wish.times === 1 || !answer.second) {

@@ -12,9 +12,17 @@
  * @param {(error: unknown, wish: Wish) => void} options.onError
  * @param {number} [options.patience] in ms
  * @param {number} [options.pause] in ms, the least between two starts
+ * @param {(wish: Wish) => boolean} [options.isNear] whether it is answered without a wire: what is asked by wire is given up for that
  */
-export function createLatest({ load, onAnswer, onError, patience = 2000, pause = 0 }) {
-  /** @type {{controller: AbortController, startedAt: number} | null} */
+export function createLatest({
+  load,
+  onAnswer,
+  onError,
+  patience = 2000,
+  pause = 0,
+  isNear = () => false,
+}) {
+  /** @type {{controller: AbortController, startedAt: number, isNear: boolean} | null} */
   let underWay = null;
   /** @type {{wish: Wish} | null} */
   let next = null;
@@ -24,7 +32,11 @@ export function createLatest({ load, onAnswer, onError, patience = 2000, pause =
 
   /** @param {Wish} wish */
   async function start(wish) {
-    const mine = { controller: new AbortController(), startedAt: performance.now() };
+    const mine = {
+      controller: new AbortController(),
+      startedAt: performance.now(),
+      isNear: isNear(wish),
+    };
     underWay = mine;
     earliest = mine.startedAt + pause;
     try {
@@ -63,7 +75,8 @@ export function createLatest({ load, onAnswer, onError, patience = 2000, pause =
     /** @param {Wish} wish */
     request(wish) {
       next = { wish };
-      if (underWay && performance.now() - underWay.startedAt > patience) {
+      const isOvertaken = underWay && !underWay.isNear && isNear(wish);
+      if (underWay && (isOvertaken || performance.now() - underWay.startedAt > patience)) {
         underWay.controller.abort();
         underWay = null;
       }

@@ -234,13 +234,14 @@ test("bounceInWords says how it comes and leaves", () => {
 test("createBallLoad asks for the next collision and its trace where the ball falls back", async () => {
   const asked = [];
   const second = { kappa: 5, mu_over_alpha: 1.4, gt_over_gn: 0.3, damping: 0, direction: -1 };
-  const load = createBallLoad({
+  const server = {
     bounce: async () => ({ ...WALL, second }),
     trace: async (collision) => {
       asked.push(collision);
       return { kappa: collision.kappa };
     },
-  });
+  };
+  const load = createBallLoad({ of: () => server });
   const wish = { collision: { kappa: 4.5 }, alpha: 2 / 7, partner: "wall", spinShare: 0 };
   assert.equal((await load({ ...wish, times: 1 })).trace, null);
   assert.deepEqual((await load({ ...wish, times: 2 })).trace, { kappa: 5 });

@@ -16,7 +16,7 @@ from restitution.errors import CostError
 from restitution.mechanics import limits
 from restitution.mechanics.collision import TOO_STIFF
 from restitution.mechanics.contact import contact_duration, normal_restitution
-from restitution.mechanics.motion import Motion, motion, reversals, sensitivity
+from restitution.mechanics.motion import Motion, dissipated_share, motion, reversals, sensitivity
 from restitution.methods import planner
 from restitution.methods.answer import Answer, AnsweringMethod, EpsilonT, ErrorBound, ToleranceMet
 from restitution.methods.options import Options
@@ -303,7 +303,7 @@ def _summary(outcome: _Outcome, course: _Course | None, parameters: CollisionPar
 
 
 def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
-    lost = (1.0 - epsilon_t) * (1.0 + epsilon_t)
+    lost = dissipated_share(epsilon_t)
     try:
         initial = 0.5 * gt_over_gn**2
     except OverflowError:
@@ -313,5 +313,5 @@ def _energy(gt_over_gn: float, epsilon_t: float) -> Energy:
 
 def estimates(kappa: float, psi: float, damping: float = 0.0) -> Estimates:
     """Return Coulomb's law and, for η = 0, both stiff limits for one collision."""
-    coulomb, bound, asymptote = limits.simple_laws(kappa, psi, normal_restitution(damping))
-    return Estimates(coulomb, np.nan, np.nan) if damping else Estimates(coulomb, bound, asymptote)
+    epsilon_n = normal_restitution(damping)
+    return Estimates(*limits.simple_laws(kappa, psi, epsilon_n, damping > 0.0))

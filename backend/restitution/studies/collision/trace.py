@@ -13,9 +13,10 @@ from restitution.bounds import values as members
 from restitution.errors import CostError
 from restitution.mechanics.collision import MOST_SWITCHES as FOLLOWED_SWITCHES
 from restitution.mechanics.collision import expected_switch_counts
-from restitution.mechanics.contact import contact_duration
+from restitution.mechanics.contact import contact_duration, normal_curves
+from restitution.mechanics.curves import instants, tangential_columns
 from restitution.mechanics.hertz import FloatArray
-from restitution.mechanics.motion import Motion, instants, normal_curves, tangential_curves
+from restitution.mechanics.motion import Motion
 from restitution.mechanics.scaled_velocity import WEAKEST
 from restitution.mechanics.stepping import stepped_course
 from restitution.methods.options import Options
@@ -177,34 +178,24 @@ def _stepped(parameters: CollisionParameters, options: Options) -> dict[str, Flo
     }
 
 
-# a product beyond the double range does not exist and is null in the answer
-@np.errstate(over="ignore", invalid="ignore")
 def _tangential(
     parameters: CollisionParameters, path: Motion | None, time: FloatArray, cap: FloatArray
 ) -> dict[str, FloatArray | npt.NDArray[np.int8]]:
-    """Return the tangential columns at the instants `time` (N,), `cap` being x^{3/2} there.
-
-    They are formed from u/u(0) and z/u(0), so that no product leaves the double range on the way.
-    """
-    initial, psi = parameters.gt_over_gn, parameters.psi
-    if path is not None:
-        curves = tangential_curves(path, time)
-        velocity, elongation = initial * curves.velocity, initial * curves.elongation
-        # a collision weaker than the one that was followed has proportionally weaker forces
-        force, regime = curves.force * min(1.0, psi / path.psi), curves.regime
-    elif psi == 0.0:
-        velocity = elongation = force = np.zeros(time.size)
-        regime = np.zeros(time.size, np.int8)
-    else:
-        velocity, force = np.full(time.size, initial), cap
-        stretch = cap / parameters.kappa * parameters.mu_over_alpha
-        elongation = np.minimum(np.nan_to_num(stretch), initial * time)
-        regime = np.ones(time.size, np.int8)
-    energy = 0.5 * (velocity**2 + (np.sqrt(parameters.kappa) * elongation) ** 2)
+    """Return the tangential columns at the instants `time` (N,), `cap` being x^{3/2} there."""
+    columns, regime = tangential_columns(
+        path,
+        parameters.kappa,
+        parameters.mu_over_alpha,
+        parameters.gt_over_gn,
+        parameters.damping,
+        time,
+        cap,
+    )
+    velocity, elongation, force, energy = columns
     return {
         "tangential_velocity": velocity,
         "spring_elongation": elongation,
-        "tangential_force_over_mu": 0.0 - force,
+        "tangential_force_over_mu": force,
         "regime": regime,
         "tangential_energy": energy,
     }

@@ -8,12 +8,14 @@ from annotated_types import Ge, Gt, Le
 
 from restitution.bounds import Meaning
 from restitution.errors import ParameterError
+from restitution.mechanics.motion import MASS_SHARES, impulse_shares
+from restitution.mechanics.scaled_velocity import after_flight
 from restitution.methods.answer import EpsilonT, ErrorBound
 from restitution.quantities import QUANTITIES
 from restitution.studies.collision.one import study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters, Convention
 from restitution.studies.spheres.bodies import GYRATION
-from restitution.studies.spheres.powers import product_of_powers, representable
+from restitution.studies.spheres.powers import representable
 
 Alpha = Annotated[float, Gt(0), Le(1), QUANTITIES["alpha"]]
 Partner = Annotated[
@@ -22,9 +24,6 @@ Partner = Annotated[
 SpinShare = Annotated[float, Ge(0), Le(1), QUANTITIES["spin_share"]]
 
 SOLID_ALPHA = 1.0 / (1.0 + 1.0 / GYRATION["solid"])
-
-MASS_SHARES = {"wall": 1.0, "sphere": 0.5}
-"""m_eff/m of the ball: its share of a relative velocity in the frame of the centre of mass."""
 
 PSI_OF_MOST_SWITCHES = 0.5
 """Where a collision of any κ has about as many switches as at any ψ."""
@@ -147,7 +146,7 @@ def study_bounce(
     (True, 0.0)
     """
     share = MASS_SHARES[partner]
-    centre_change, spin_change = -alpha * share, (1.0 - alpha) * share
+    centre_change, spin_change = impulse_shares(alpha, share)
     velocity = parameters.gt_over_gn
     first = _bounce(parameters, 1 if velocity > 0.0 else 0)
     second = _next(first) if partner == "wall" else None
@@ -203,26 +202,17 @@ def _bounce(parameters: CollisionParameters, direction: Literal[-1, 0, 1]) -> Bo
 
 
 def _next(first: Bounce) -> Bounce | None:
-    """Return the collision after a flight, from which it comes back with ε_n g_n and ε_t g_t.
-
-    Gravity acts along the normal alone. κ ∝ g_n^{-2/5} (Eq. 24), η ∝ g_n^{1/5}.
-    """
-    tangential = abs(first.epsilon_t) * first.gt_over_gn
+    """Return the collision after a flight; None where a parameter is beyond double precision."""
     direction = first.direction if first.epsilon_t > 0.0 else -first.direction
+    scaled = after_flight(
+        first.kappa, first.gt_over_gn, first.damping, first.epsilon_n, first.epsilon_t
+    )
     try:
-        parameters = CollisionParameters(
-            _scaled("kappa", first.kappa, first.epsilon_n, -4),
-            first.mu_over_alpha,
-            _scaled("gt_over_gn", tangential, first.epsilon_n, -10),
-            _scaled("damping", first.damping, first.epsilon_n, 2),
+        kappa, tangential, damping = (
+            value if first.epsilon_n == 1.0 or value == 0.0 else representable(name, value, "ε_n")
+            for name, value in zip(("kappa", "gt_over_gn", "damping"), scaled, strict=True)
         )
+        parameters = CollisionParameters(kappa, first.mu_over_alpha, tangential, damping)
     except ParameterError:
         return None
     return _bounce(parameters, direction if parameters.gt_over_gn > 0.0 else 0)
-
-
-def _scaled(name: str, value: float, epsilon_n: float, tenths: int) -> float:
-    """Return value·ε_n^(tenths/10), exactly as it was where ε_n is 1."""
-    if value == 0.0 or epsilon_n == 1.0:
-        return value
-    return representable(name, product_of_powers((value, 10), (epsilon_n, tenths)), "ε_n")

@@ -29,10 +29,10 @@ const UNENDING = new AbortController().signal;
  * @param {(ghosts: import("../ghosts.js").Ghosts) => void} showGhosts
  * @returns {import("../../scene.js").Scene}
  */
-export function mountCompare({ client, present, set, setCollision, explain }, showGhosts) {
+export function mountCompare({ source, present, set, setCollision, explain }, showGhosts) {
   const root = document.documentElement;
   const panel = byTestId("compare");
-  const load = createCollisionLoad(client);
+  const load = createCollisionLoad(source);
   const table = createTable({
     onBack: (collision) => setCollision(collision),
     onAway(index) {

@@ -1,0 +1,71 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { createCollisionLoad } from "../../../../frontend/state/loading/collision-load.js";
+import { createSource } from "../../../../frontend/state/loading/source.js";
+import { USUAL_ACCURACY } from "../../../../frontend/state/accuracy.js";
+
+const COLLISION = { kappa: 18, mu_over_alpha: 1.4, gt_over_gn: 0.4, damping: 0 };
+const EXACT = { limit: false, reversals: 0, first_episode_share: 1, milliseconds: 1 };
+
+/** An answer of somebody about a collision that slides throughout. */
+const said = (by, epsilon = 0.5, switches = 0) => ({
+  ...{ ...EXACT, by, epsilon_t: epsilon, error_bound: 1e-15, switches, switches_certain: true },
+  parameters: COLLISION,
+});
+
+/** Someone who answers all collisions alike. */
+const answering = (answer) => ({ collision: async () => answer, trace: async () => answer });
+
+function sourceOf({ server = said("server"), isAway = () => false } = {}) {
+  const differences = [];
+  const source = createSource(
+    { ...answering(server), answer: async () => ({ method: "timestep" }) },
+    { isAway, onDifference: (...both) => differences.push(both) },
+  );
+  return { source, differences };
+}
+
+const wish = (dragging, accuracy = USUAL_ACCURACY) => ({
+  ...{ collision: COLLISION, accuracy, change: { dragging, inputTimeStamp: 0 }, isPictured: true },
+});
+
+test("the server is asked until the kernel is here, and then while no hand drags", async () => {
+  const { source } = sourceOf();
+  const load = createCollisionLoad(source);
+  assert.equal((await load(wish(true))).result.by, "server");
+  source.takeKernel(answering(said("kernel")));
+  assert.equal((await load(wish(true))).result.by, "kernel");
+  assert.equal((await load(wish(false))).result.by, "server");
+});
+
+test("what the kernel does not answer is asked of the server", async () => {
+  const { source } = sourceOf();
+  source.takeKernel(answering(null));
+  assert.equal((await source.of(true).trace(COLLISION)).by, "server");
+});
+
+test("while the server is away the kernel answers all, exactly and by no other method", async () => {
+  const { source } = sourceOf({ isAway: () => true });
+  source.takeKernel(answering(said("kernel")));
+  const { result } = await createCollisionLoad(source)(
+    wish(false, { ...USUAL_ACCURACY, method: "timestep" }),
+  );
+  assert.equal(result.by, "kernel");
+  assert.equal(result.method, undefined);
+});
+
+test("a kernel that differs from the server beyond both bounds is told of once", async () => {
+  for (const [own, count] of [
+    [said("kernel", 0.5 + 1.5e-15), 0],
+    [said("kernel", 0.5 + 3e-15), 1],
+    [said("kernel", 0.5, 2), 1],
+    [{ ...said("kernel", 0.5, 2), switches_certain: false }, 0],
+  ]) {
+    const { source, differences } = sourceOf();
+    source.takeKernel(answering(own));
+    await source.compare(said("server"));
+    await source.compare(said("server"));
+    assert.equal(differences.length, count);
+  }
+});
