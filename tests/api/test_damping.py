@@ -141,11 +141,17 @@ def test_too_many_different_dampings_are_refused_with_the_limit(service):
 
 
 @pytest.mark.parametrize("method", ["stiff", "table"])
-def test_methods_without_damping_refuse_it_by_name(service, method):
-    entry = service.wrong(
-        "/collision", kappa=5, mu_over_alpha=1, gt_over_gn=1, damping=0.1, method=method
-    )["method"]
-    assert "another one for damping = 0.1" in entry["requirement"]
+def test_methods_without_damping_refuse_it_by_name_before_any_work(service, method):
+    # one that no other test has, whose contact is not kept
+    asked = {"kappa": 5, "mu_over_alpha": 1, "gt_over_gn": 1, "damping": 0.10123, "method": method}
+    for send in (
+        lambda: service.get("/collision", **asked),
+        lambda: service.get("/trace", **asked),
+        lambda: service.post(asked | {"damping": [0, asked["damping"]]}),
+    ):
+        [entry] = service.problem(service.affordable(send), 422)["errors"]
+        assert entry["parameter"] == "method"
+        assert "another one for damping = 0.10123" in entry["requirement"]
 
 
 @pytest.mark.parametrize("damping", ["-0.1", "NaN", "Infinity", "2e30", "1e300"])

@@ -83,8 +83,8 @@ UNDAMPED = {
 """Methods that are made for η = 0, and why."""
 
 
-def refuse_damping(options: Options, method: str) -> None:
+def refuse_damping(method: str, damping: float) -> None:
     """Raise `ParameterError` if one of `UNDAMPED` is asked for another η."""
-    if options.damping > 0.0:
-        requirement = f"another one for damping = {options.damping:g}: {UNDAMPED[method]}"
-        raise ParameterError("method", options.method, requirement)
+    if method in UNDAMPED and damping > 0.0:
+        requirement = f"another one for damping = {damping:g}: {UNDAMPED[method]}"
+        raise ParameterError("method", method, requirement)

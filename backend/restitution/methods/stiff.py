@@ -20,7 +20,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     ParameterError
         For η > 0.
     """
-    refuse_damping(options, "stiff")
+    refuse_damping("stiff", options.damping)
     epsilon_t, bound = stiff_limit(kappa, psi)
     return Answer(
         epsilon_t,

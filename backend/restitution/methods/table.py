@@ -209,7 +209,7 @@ def solve(kappa: FloatArray, psi: FloatArray, options: Options) -> Answer:
     ParameterError
         If a collision lies outside the table, as all do that have η > 0.
     """
-    refuse_damping(options, "table")
+    refuse_damping("table", options.damping)
     weak = psi == 0.0
     looked_up = np.where(weak, 1.0, psi)
     held = within(kappa, looked_up)

@@ -17,7 +17,7 @@ from restitution.mechanics.scaled_velocity import scaled_velocity
 from restitution.methods import planner
 from restitution.methods.answer import Answer
 from restitution.methods.exact import follow_affordable, known
-from restitution.methods.options import Options
+from restitution.methods.options import Options, refuse_damping
 from restitution.studies.collision.dampings import by_damping, refuse_more_dampings
 from restitution.studies.collision.parameters import (
     CONVENTION,
@@ -144,6 +144,8 @@ def study_batch(
     if etas.size <= 1:
         found = _study(kappas, psis, quantities, replace(options, damping=float(etas.sum())))
         return replace(found, given=given)
+    # before those of η = 0 are answered
+    refuse_damping(options.method, float(etas.max()))
     groups = by_damping(many)
     refuse_more_dampings(len(groups))
     studies = [

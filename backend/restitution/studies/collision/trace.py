@@ -19,7 +19,7 @@ from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.motion import Motion
 from restitution.mechanics.scaled_velocity import WEAKEST
 from restitution.mechanics.stepping import stepped_course
-from restitution.methods.options import Options
+from restitution.methods.options import Options, refuse_damping
 from restitution.studies.collision.one import CollisionStudy, followed_motion, study_collision
 from restitution.studies.collision.parameters import CONVENTION, CollisionParameters
 from restitution.studies.tabular import Table, Tabular
@@ -115,12 +115,16 @@ def study_trace(
 
     Raises
     ------
+    ParameterError
+        If a method is asked for that is made for η = 0 alone.
     CostError
         If the collision is too stiff or switches more often than `MOST_SWITCHES`.
     """
     samples = allowed("samples", samples, Samples)
     asked = chosen("columns", columns, COLUMNS)
-    eta = parameters.damping
+    options, eta = options or Options(), parameters.damping
+    # before its contact is prepared
+    refuse_damping(options.method, eta)
     one = np.array([parameters.kappa]), np.array([parameters.psi])
     expected = float(expected_switch_counts(*one, eta)[0])
     if expected > FOLLOWED_SWITCHES:
@@ -141,7 +145,7 @@ def study_trace(
     }
     if not wanted.keys() <= values.keys():
         values |= _tangential(parameters, path, time, cap)
-    own = _stepped(parameters, options) if collision.method == "timestep" and options else {}
+    own = _stepped(parameters, options) if collision.method == "timestep" else {}
     shown = {name: values[name] for name in wanted}
     return TraceStudy(collision, shown, switch_times, own, time)
 
