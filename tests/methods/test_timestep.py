@@ -5,6 +5,7 @@ import pytest
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import collide
+from restitution.mechanics.stepping import stepped_course
 from restitution.methods import timestep
 from restitution.methods.options import Options
 
@@ -42,5 +43,15 @@ def test_bound_holds_where_the_exact_value_is_out_of_reach():
 
 
 def test_more_steps_than_the_budget_are_refused_with_cost_and_limit():
-    with pytest.raises(CostError, match=r"5,000 collisions of 1,000,000 steps are 5e\+09.*4e\+09"):
+    refusal = r"5,000 collisions of 1,000,000 steps may take 1e\+10.*4e\+09"
+    with pytest.raises(CostError, match=refusal):
         solve(np.ones(5000), 1.0, steps=1_000_000)
+
+
+def test_budget_counts_the_steps_of_a_contact_that_takes_more_than_it_is_meant_to_have():
+    steps, damping = 1_000_000, 1e10
+    taken = stepped_course(1.0, 1.0, steps, damping=damping).shape[1] - 1
+    assert taken > 1.9 * steps
+    too_many = np.ones(timestep.MOST_STEPS // taken + 1)
+    with pytest.raises(CostError):
+        solve(too_many, 1.0, steps=steps, damping=damping)

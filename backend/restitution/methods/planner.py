@@ -15,6 +15,7 @@ from restitution.mechanics.collision import (
 from restitution.mechanics.contact import ELASTIC, expected_switches
 from restitution.mechanics.hertz import FloatArray
 from restitution.mechanics.limits import stiff_limit
+from restitution.mechanics.stepping import most_steps
 from restitution.methods import coulomb, exact, ode, stiff, table, timestep
 from restitution.methods.answer import Answer
 from restitution.methods.options import Options
@@ -151,7 +152,7 @@ def is_quick(switches: float, options: Options, *, damped: bool) -> bool:
     """
     if options.method in {"table", "ode"}:
         return False
-    steps = options.steps if options.method == "timestep" else 0
+    steps = most_steps(options.steps) if options.method == "timestep" else 0
     dearer = exact.DEARER_BY_DAMPING if damped else 1.0
     following = exact.SECONDS_FOR_A_SWITCH * dearer * switches
     return following + SECONDS_FOR_A_STEP * steps < QUICK_SECONDS

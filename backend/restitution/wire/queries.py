@@ -11,6 +11,7 @@ from annotated_types import Ge, Gt, Le
 from restitution.bounds import Meaning, Misfit, Words, annotations, closed
 from restitution.mechanics.contact import MOST_DAMPING
 from restitution.mechanics.scaled_velocity import psi_of
+from restitution.mechanics.stepping import most_steps
 from restitution.methods.options import Options, WantedError
 from restitution.methods.planner import is_quick, switches_to_follow
 from restitution.studies.accuracy.scenes import SceneName
@@ -111,7 +112,7 @@ class TraceQuery(CollisionQuery):
 
     def rows(self, switches: float) -> float:
         """Return how many rows are written: episodes, samples with switches, steps of its own."""
-        steps = self.steps if self.method == "timestep" else 0
+        steps = most_steps(self.steps) if self.method == "timestep" else 0
         return super().rows(switches) + self.samples + switches + steps
 
 
