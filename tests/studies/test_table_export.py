@@ -9,8 +9,10 @@ from restitution.mechanics.collision import collide
 from restitution.methods.options import Options
 from restitution.studies.collision.axis import Axis
 from restitution.studies.collision.many import study_batch
+from restitution.studies.tables.cost import refuse_costly
+from restitution.studies.tables.entries import seconds_for_motion
 from restitution.studies.tables.export import study_table, study_table_within
-from restitution.studies.tables.grid import DIGITS
+from restitution.studies.tables.grid import DIGITS, TableGrid
 from work import counted
 
 SOLIDS = Axis(3.5, 5.7, 60, "log"), Axis(0.05, 2.0, 60, "log")
@@ -187,6 +189,24 @@ def test_sliding_is_closed_only_where_it_holds_for_every_kappa():
 def test_costly_tables_are_refused_before_any_work(axes, words):
     with pytest.raises(CostError, match=words):
         study_table(*axes[:2], "paper", *axes[2:], seconds=1.0)
+
+
+@pytest.mark.parametrize(
+    "grid",
+    [
+        # too soft for lanes
+        TableGrid(Axis(2e-4, 0.04, 150), Axis(0.051, 0.052, 100), 0.0),
+        TableGrid(Axis(1.0, 70.0, 100), Axis(0.01, 4.0, 100), 0.0),
+        TableGrid(Axis(2.0, 3000.0, 18, "log"), Axis(0.8, 4e4, 60, "log"), Axis(0.0, 0.06, 14)),
+        TableGrid(Axis(200.0, 2000.0, 5), Axis(0.2, 4000.0, 19, "log"), Axis(0.0, 1e25, 20)),
+    ],
+)
+def test_a_table_takes_no_more_than_is_expected(grid):
+    expected = refuse_costly(grid, grid.nodes(), 10.0).table
+    with counted() as work:
+        study_table(grid.kappa, grid.psi, "paper", grid.damping, seconds=10.0)
+    most = grid.damping.maximum if isinstance(grid.damping, Axis) else grid.damping
+    assert 1e-9 * work["tables"] + seconds_for_motion(most) * work["dampings"] <= expected
 
 
 @pytest.mark.parametrize("damping", [-0.1, 1e31, Axis(-1.0, 1.0, 3), Axis(0.5, 0.1, 3)])

@@ -1,6 +1,9 @@
 """The event-driven solution, right to rounding."""
 
+from typing import Any
+
 import numpy as np
+import numpy.typing as npt
 
 from restitution.errors import CostError
 from restitution.mechanics.collision import (
@@ -34,14 +37,28 @@ def cost(kappa: FloatArray, psi: FloatArray, damping: float = 0.0) -> float:
     """Return about how many seconds of one core it takes to follow collisions (N,)."""
     expected = expected_switch_counts(kappa, psi, damping)
     switches = np.where(expected <= MOST_SWITCHES, expected, 0.0)
+    return float(seconds_to_follow(kappa, psi, damping, switches).sum())
+
+
+def seconds_to_follow(
+    kappa: FloatArray, psi: FloatArray, damping: float, switches: npt.NDArray[Any]
+) -> FloatArray:
+    """Return about how many seconds of one core each of many collisions (N,) takes.
+
+    `switches` (N,) are those that they have, or are expected to have.
+    """
     contact = contact_of(damping)
-    softest, stiffest, dearer, stiffness = 0.0, block.STIFFEST, 1.0, kappa
+    softest, stiffest, weakest = block.SOFTEST, block.STIFFEST, block.WEAKEST
+    dearer, stiffness = 1.0, kappa
     if isinstance(contact, Viscoelastic):
-        softest, stiffest = damped_block.softest_in_lanes(contact), damped_block.STIFFEST
+        softest = damped_block.softest_in_lanes(contact)
+        stiffest, weakest = damped_block.STIFFEST, damped_block.WEAKEST
         dearer, stiffness = DEARER_BY_DAMPING, kappa / contact.unit / contact.unit
-    in_lanes = (stiffness >= softest) & (stiffness <= stiffest)
-    seconds = np.where(in_lanes, SECONDS_IN_LANES, SECONDS_FOR_A_SWITCH)
-    return dearer * float(np.sum(seconds * switches))
+        if contact.pieces.shape[0] > damped_block.MOST_PIECES:
+            softest = np.inf
+    in_lanes = (stiffness >= softest) & (stiffness <= stiffest) & (psi >= weakest)
+    seconds: FloatArray = np.where(in_lanes, SECONDS_IN_LANES, SECONDS_FOR_A_SWITCH)
+    return np.asarray(dearer * seconds * switches)
 
 
 def budget(looked_at: int, damping: float, share: float = 1.0) -> float:

@@ -2,13 +2,14 @@
 
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import numpy.typing as npt
 
 from restitution.mechanics.collision import PART, collide
 from restitution.mechanics.hertz import FloatArray
-from restitution.methods.exact import DEARER_BY_DAMPING, SECONDS_FOR_A_SWITCH
+from restitution.methods.exact import DEARER_BY_DAMPING, seconds_to_follow
 from restitution.studies.tables.grid import DIGITS, IntegerArray, Nodes
 
 SECONDS_FOR_A_COLLISION = 5e-7
@@ -30,8 +31,20 @@ class Followed(NamedTuple):
 
 def seconds_for_motion(eta: float) -> float:
     """Return the seconds of one core that preparing the normal motion of one η takes, about."""
-    tenfold = max(0.0, float(np.log10(eta))) if eta else 0.0
-    return SECONDS_FOR_DAMPING + SECONDS_FOR_TENFOLD * tenfold if eta else 0.0
+    if not eta > 0.0:
+        return 0.0
+    return SECONDS_FOR_DAMPING + SECONDS_FOR_TENFOLD * max(0.0, float(np.log10(eta)))
+
+
+def seconds_for_collisions(
+    kappa: FloatArray, psi: FloatArray, damping: float, switches: npt.NDArray[Any]
+) -> FloatArray:
+    """Return the seconds of one core that each of collisions (N,) takes, about.
+
+    `switches` (N,) as of `exact.seconds_to_follow`.
+    """
+    least = SECONDS_FOR_A_COLLISION * (DEARER_BY_DAMPING if damping else 1.0)
+    return np.maximum(least, seconds_to_follow(kappa, psi, damping, switches))
 
 
 def follow_all(
@@ -50,9 +63,8 @@ def follow_all(
         damping = float(eta[part[0]])
         done = collide(kappa[part], psi[part], damping)
         found.epsilon_t[part], found.error_bound[part] = done.epsilon_t, done.error_bound
-        seconds = np.maximum(SECONDS_FOR_A_COLLISION, SECONDS_FOR_A_SWITCH * done.switches)
-        dearer = DEARER_BY_DAMPING if damping else 1.0
-        found.seconds[part] = dearer * seconds + seconds_for_motion(damping) / part.size
+        seconds = seconds_for_collisions(kappa[part], psi[part], damping, done.switches)
+        found.seconds[part] = seconds + seconds_for_motion(damping) / part.size
 
     # no more at a time than `collide` leaves to the calling thread
     parts = [

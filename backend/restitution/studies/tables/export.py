@@ -105,7 +105,7 @@ def study_table(
 
 def _study(grid: TableGrid, sign: Sign, seconds: float, wanted: float) -> RestitutionTable:
     """Return a table, whose error is sought as far as to tell whether it is the one `wanted`."""
-    nodes = grid.nodes() if least_seconds(grid) <= seconds else None
+    nodes = grid.nodes() if least_seconds(grid).table <= seconds else None
     refuse_costly(grid, nodes, seconds)
     assert nodes is not None
     entries, largest = tabulated(nodes, sign, workers(), wanted)
@@ -151,12 +151,12 @@ def study_table_within(
                 f"here ({reached}): {refused}"
             ) from refused
         errors = _errors_along(grid, nodes)
-        spent += expected * (1 + len(errors)) / (1.0 + SEARCH)
+        spent += expected.entries * (1 + len(errors))
         worst = max(errors, key=errors.__getitem__)
         best = min(best, likely * errors[worst])
         # the error of linear interpolation falls with the square of the distance at best
         more = math.prod(math.sqrt(max(1.0, likely * e / error)) for e in errors.values())
-        if more * least_seconds(grid) > HOPELESS * seconds:
+        if more * least_seconds(grid).table > HOPELESS * seconds:
             raise CostError(
                 f"an error of {error:g} takes about {more * math.prod(grid.shape):.1g} entries or "
                 f"more here ({best:.2g} at most so far); the limit of {seconds:g} s of one core is "
@@ -164,7 +164,7 @@ def study_table_within(
             )
         if likely * errors[worst] <= error and failed * sum(errors.values()) <= error:
             table = _study(grid, sign, seconds, error)
-            spent += expected
+            spent += expected.table
             if table.largest_error <= error:
                 return table
             failed = table.largest_error / sum(errors.values())
