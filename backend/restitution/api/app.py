@@ -1,6 +1,7 @@
 """Assembly of the service."""
 
 import gc
+import importlib
 import itertools
 import threading
 import time
@@ -73,6 +74,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 def create_service() -> FastAPI:
     """Return the service of a process of its own, which logs and seldom looks for garbage."""
     set_up_log()
+    # numba with them, before anybody connects: an import that fails half-way, as for lack of
+    # descriptors, fails ever after in this process
+    importlib.import_module("restitution.mechanics.kernels")
     gc.set_threshold(MOST_NEW_OBJECTS)
     return create_app()
 
