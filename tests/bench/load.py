@@ -19,7 +19,7 @@ from pathlib import Path
 
 import uvloop
 from fairness import fairness
-from measured import connect, cpu, resident, service
+from measured import Connection, connect, cpu, resident, service
 from proxy import nginx
 from stored import COLLISION, TRACE
 
@@ -29,6 +29,14 @@ FRAME = 1.0 / 60.0
 MAP = (
     "/api/v1/map?mu_over_alpha={}&kappa_count=120&gt_over_gn_count=80&tolerance=4e-3"
     "&encoding=base64"
+)
+WHOLE_MAP = (
+    "/api/v1/map?mu_over_alpha={}&kappa_min=0.1&kappa_max=70&kappa_count=240&gt_over_gn_min=0.01"
+    "&gt_over_gn_max=4&gt_over_gn_count=180&encoding=base64"
+)
+CUT = (
+    "/api/v1/cut?along=gt_over_gn&mu_over_alpha={}&kappa={}&minimum=0.01&maximum=4&count=800"
+    "&quantities=epsilon_t,switches,coulomb,stiff_bound,stiff_asymptote&encoding=base64"
 )
 DRAGGED = "/api/v1/trace?kappa={}&mu_over_alpha={}&gt_over_gn={}&encoding=base64"
 
@@ -91,13 +99,60 @@ def throughput(rounds: int = 3) -> dict:
     return found
 
 
+class Seen:
+    """What browsers see of a server."""
+
+    def __init__(self) -> None:
+        self.statuses: Counter = Counter()
+        self.errors: Counter = Counter()
+        self.cache: Counter = Counter()
+        self.waits: list[float] = []
+        self.begin, self.own = time.perf_counter(), time.process_time()
+
+    async def ask(
+        self, port: int, connection: Connection, path: str
+    ) -> tuple[Connection, float | None]:
+        """Ask once; return the connection to go on with and the wait, None without an answer."""
+        connection = await connect(port, connection)
+        begin = time.perf_counter()
+        try:
+            status = await connection.get(path)
+        except (OSError, TimeoutError) as error:
+            self.errors[type(error).__name__] += 1
+            return await connect(port), None
+        self.statuses[status] += 1
+        if found := re.search(rb"x-cache-status: (\w+)", connection.headers):
+            self.cache[found[1].decode()] += 1
+        if status != 200:
+            # a second of the server, two of nginx
+            assert re.search(rb"retry-after: [12]\b", connection.headers), connection.headers
+            return connection, None
+        self.waits.append(time.perf_counter() - begin)
+        return connection, self.waits[-1]
+
+    def told(self, browsers: int) -> dict:
+        elapsed = time.perf_counter() - self.begin
+        waits = sorted(self.waits)
+        return {
+            "browsers": browsers,
+            "good_per_second": round(self.statuses[200] / elapsed, 1),
+            "statuses": dict(self.statuses),
+            "errors": dict(self.errors),
+            "cache": dict(self.cache),
+            "admitted_p50_ms": round(1e3 * waits[len(waits) // 2], 1),
+            "admitted_p99_ms": round(1e3 * waits[int(0.99 * len(waits))], 1),
+            "generator_cpu": round((time.process_time() - self.own) / elapsed, 2),
+        }
+
+
+async def polite_pause(dice: random.Random) -> None:
+    """Wait as the page does that was sent away."""
+    await asyncio.sleep(1.0 + dice.random())
+
+
 async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
-    """Return what browsers see that drag for `seconds`."""
-    end = time.perf_counter() + seconds
-    statuses: Counter = Counter()
-    waits: list[float] = []
-    errors: Counter = Counter()
-    cache: Counter = Counter()
+    """Return what browsers see that drag for `seconds` and have no kernel of their own."""
+    end, seen = time.perf_counter() + seconds, Seen()
 
     async def browser(number: int) -> None:
         dice = random.Random(f"{seed} {number}")
@@ -109,45 +164,51 @@ async def drag(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
             else:
                 numbers = (dice.uniform(1, 70), dice.uniform(0.2, 3), dice.uniform(0.01, 4))
                 path = DRAGGED.format(*(round(n, 3) for n in numbers))
-            connection = await connect(port, connection)
-            begin = time.perf_counter()
-            try:
-                status = await connection.get(path)
-            except (OSError, TimeoutError) as error:
-                errors[type(error).__name__] += 1
-                connection = await connect(port)
-                continue
-            took = time.perf_counter() - begin
-            statuses[status] += 1
-            if found := re.search(rb"x-cache-status: (\w+)", connection.headers):
-                cache[found[1].decode()] += 1
-            if status == 200:
-                waits.append(took)
-                await asyncio.sleep(max(0.0, FRAME - took))
+            connection, took = await seen.ask(port, connection, path)
+            if took is None:
+                await polite_pause(dice)
             else:
-                # a second of the server, two of nginx
-                assert re.search(rb"retry-after: [12]\b", connection.headers), connection.headers
-                # as the page does
-                await asyncio.sleep(1.0 + dice.random())
+                await asyncio.sleep(max(0.0, FRAME - took))
 
-    begin, own = time.perf_counter(), time.process_time()
     await asyncio.gather(*(browser(i) for i in range(browsers)))
-    elapsed = time.perf_counter() - begin
-    waits.sort()
-    return {
-        "browsers": browsers,
-        "good_per_second": round(statuses[200] / elapsed, 1),
-        "statuses": dict(statuses),
-        "errors": dict(errors),
-        "cache": dict(cache),
-        "admitted_p50_ms": round(1e3 * waits[len(waits) // 2], 1),
-        "admitted_p99_ms": round(1e3 * waits[int(0.99 * len(waits))], 1),
-        "generator_cpu": round((time.process_time() - own) / elapsed, 2),
-    }
+    return seen.told(browsers)
+
+
+async def drag_by_kernel(port: int, browsers: int, seconds: float, seed: int = 1) -> dict:
+    """Return the same of pages as they are: they ask when the hand rests, a third of them after η.
+
+    A drag takes one to three seconds, and as long passes until the next. What is asked then is the
+    trace and, unless g_t/g_n was dragged, the cut and for μ/α and η the whole map.
+    """
+    end, seen = time.perf_counter() + seconds, Seen()
+
+    async def browser(number: int) -> None:
+        dice = random.Random(f"{seed} {number}")
+        connection = await connect(port)
+        slider = "damping" if number % 3 == 0 else dice.choice(["kappa", "mu", "gt"])
+        await asyncio.sleep(4.0 * dice.random())
+        while time.perf_counter() < end:
+            kappa, mu, gt = (
+                round(dice.uniform(*ends), 3) for ends in ((1, 70), (0.2, 3), (0.01, 4))
+            )
+            damped = f"&damping={dice.uniform(0.001, 1):.4f}" if slider == "damping" else ""
+            paths = [DRAGGED.format(kappa, mu, gt)]
+            if slider != "gt":
+                paths.append(CUT.format(mu, kappa))
+            if slider in {"mu", "damping"}:
+                paths.append(WHOLE_MAP.format(mu))
+            for path in paths:
+                connection, took = await seen.ask(port, connection, path + damped)
+                if took is None:
+                    await polite_pause(dice)
+            await asyncio.sleep(dice.uniform(2.0, 6.0))
+
+    await asyncio.gather(*(browser(i) for i in range(browsers)))
+    return seen.told(browsers)
 
 
 def classroom(seconds: float = 60.0) -> dict:
-    """Return the capacity and what 300 browsers get of it."""
+    """Return the capacity and what 300 browsers get of it, first without kernels of their own."""
     found = {}
     with service() as (port, pid):
         # few enough that nobody is sent away: what the server can do
@@ -159,6 +220,9 @@ def classroom(seconds: float = 60.0) -> dict:
         spent = cpu(pid)
         found["class"] = uvloop.run(drag(port, 300, seconds))
         found["server_cpu"] = round((cpu(pid) - spent) / seconds, 2)
+        spent = cpu(pid)
+        found["class, by kernels"] = uvloop.run(drag_by_kernel(port, 300, seconds))
+        found["server_cpu, by kernels"] = round((cpu(pid) - spent) / seconds, 2)
         found["resident_mb"] = {"before": before, "after": resident(pid)}
     ratio = found["class"]["good_per_second"] / found["capacity"]["good_per_second"]
     return found | {"goodput_over_capacity": round(ratio, 3)}

@@ -22,7 +22,7 @@ RESULTS = Path(__file__).parents[2] / "times.json"
 FIRST_VIEWS = 5
 DRAG_SECONDS = 3.0
 SLIDERS = {"κ": "kappa", "μ/α": "mu-over-alpha", "g_t/g_n": "gt-over-gn", "η": "damping"}
-DELAYS = (0, 100, 500)
+NETWORKS = {"+0 ms": "0", "+100 ms": "100", "+500 ms": "500", "offline": "Infinity"}
 
 # Runs before the page's own scripts: when strip and force trace are there.
 WATCH = """
@@ -67,6 +67,9 @@ SLOW_NETWORK = """
 window.addedDelay = 0;
 const direct = window.fetch;
 window.fetch = async (...request) => {
+  if (addedDelay === Infinity) {
+    throw new TypeError("offline");
+  }
   await new Promise((resolve) => setTimeout(resolve, addedDelay));
   return direct(...request);
 };
@@ -79,8 +82,7 @@ def main() -> None:
     figures: Figures = {}
     parts = {
         "first view": first_view,
-        "explorer": drags,
-        "slow network": slow_network,
+        "explorer": explorer,
         "real spheres": spheres,
     }
     with TemporaryDirectory() as log, sync_playwright() as playwright:
@@ -125,37 +127,23 @@ def first_view(browser: Browser, server: str) -> Figures:
     }
 
 
-def drags(browser: Browser, server: str) -> Figures:
-    """Return how long after an input the force trace shows its answer."""
+def explorer(browser: Browser, server: str) -> Figures:
+    """Return how long after an input its views are painted, over several networks or none."""
     figures: Figures = {}
-    for symbol, name in SLIDERS.items():
-        page = opened(browser, f"{server}/", server)
-        drag(page, page.get_by_test_id(f"{name}-slider"))
-        settle(page, server)
-        times = latencies(page, "force-trace")
-        figures |= told(f"force trace after dragging {symbol}", times, empty_page(page, server))
-        page.context.close()
-    return figures
-
-
-def slow_network(browser: Browser, server: str) -> Figures:
-    """Return how long strip and crosshair take while answers are delayed, and what comes last."""
-    figures: Figures = {}
-    places = {symbol: f"{name}-slider" for symbol, name in SLIDERS.items() if symbol != "η"}
+    places = {symbol: f"{name}-slider" for symbol, name in SLIDERS.items()}
     for symbol, name in (places | {"the map": "crosshair"}).items():
-        for delay in DELAYS:
+        for network, delay in NETWORKS.items():
             page = opened(browser, f"{server}/", server)
-            page.evaluate("(delay) => { window.addedDelay = delay; }", delay)
+            page.evaluate(f"() => {{ window.addedDelay = {delay}; }}")
             drag(page, page.get_by_test_id(name), across=name == "crosshair")
-            rest(page)
-            # the last one asked for is that of the release
-            settled = latencies(page, "force-trace")[-1] - delay
-            strip, crosshair = latencies(page, "strip"), latencies(page, "crosshair")
+            page.wait_for_timeout(1500)
+            views = {view: latencies(page, view) for view in ("strip", "crosshair", "force-trace")}
             empty = empty_page(page, server)
-            title = f"after dragging {symbol}, +{delay} ms"
-            figures |= told(f"strip {title}", strip, empty)
-            figures |= told(f"crosshair {title}", crosshair, empty)
-            figures[f"settled {title} taken off, ms"] = settled
+            title = f"after dragging {symbol}, {network}"
+            # the last one asked for is that of the release
+            figures[f"settled {title}, ms"] = views["force-trace"][-1]
+            for view, times in views.items():
+                figures |= told(f"{view} {title}", times, empty)
             page.context.close()
     return figures
 
