@@ -1,6 +1,6 @@
 // @ts-check
 
-import { createClient, Unreachable } from "./api/client.js";
+import { createClient, NeedsServer, Unreachable } from "./api/client.js";
 import { say, spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
 import { bring, createDeferredScene } from "./page/deferred-scene.js";
@@ -9,6 +9,7 @@ import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
 import { bringKernel } from "./page/kernel.js";
 import { mountMessage } from "./page/messages.js";
+import { contentsOfFile, SERVED, wordsOfFile } from "./page/one-file/contents.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
 import { takeLaterTexts, takeTexts } from "./page/texts.js";
@@ -26,6 +27,7 @@ import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { embedded, isPresented, SCENES } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
+import { presentSearch } from "./state/address/place.js";
 import { readAddress } from "./state/address/reading.js";
 import { byTestId, find } from "./widgets/find.js";
 import { afterNextFrame, announcePainted } from "./widgets/painted.js";
@@ -36,10 +38,14 @@ import { mountSweepButtons } from "./widgets/sweep-buttons.js";
  * @typedef {import("./state/store.js").Change} Change
  */
 
-takeTexts();
+/** What the page asks nobody for, where it is one file. */
+const file = contentsOfFile();
+takeTexts(file && wordsOfFile(file, presentSearch()));
 
-const client = createClient();
-const { state: initialState, problems } = readAddress(location.search);
+const client = file
+  ? await (await import("./page/one-file/open.js")).openFile(file)
+  : createClient();
+const { state: initialState, problems } = readAddress(presentSearch());
 const store = createStore(initialState);
 const banner = mountMessage(byTestId("banner"));
 const notice = mountMessage(byTestId("notice"));
@@ -145,10 +151,20 @@ const DEFERRED = [
     },
   ],
 ];
-const load = { file: client.file, font: client.font, reportLost: connection.reportLost };
+/** @type {import("./pictures/picture-menu.js").Load} */
+const load = {
+  file: client.file,
+  font: client.font,
+  explain: page.explain,
+  server: file?.server ?? "",
+  reportLost: connection.reportLost,
+};
 /** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
 const panels = [];
-const deferred = DEFERRED.map((its) => createDeferredScene(...its, page, mountMenus));
+const deferred = DEFERRED.map(([id, isShown, its]) => {
+  const loading = file && SERVED.includes(id) ? standIn(id) : its;
+  return createDeferredScene(id, isShown, loading, page, mountMenus);
+});
 const scenes = [explorer, ...deferred];
 /** Those that the kernel in the page can do for. */
 const nearScenes = [explorer, ...deferred.filter((_, i) => DEFERRED[i][0] === "compare")];
@@ -166,7 +182,8 @@ const collisions = createLatest({
   onError: page.explain,
   isNear: ({ change }) => source.isNear(change.dragging),
 });
-let isKernelAsked = false;
+/** In one file it is there from the start. */
+let isKernelAsked = file !== null;
 let arePresetsHere = false;
 
 store.subscribe((state, previous, change) => {
@@ -206,8 +223,20 @@ function mountMenus({ pictures }) {
   }
 }
 
+/** What is in place of a scene that is nothing without a server. @param {string} id */
+function standIn(id) {
+  return async () => {
+    const { mountStandIn } = await import("./page/one-file/stand-in.js");
+    return (/** @type {typeof page} */ its) => mountStandIn(id, its);
+  };
+}
+
 /** Shows how the page stands in the frame of another one. @param {string} [panel] that is wanted there */
 async function openBuilder(panel) {
+  if (file) {
+    page.explain(new NeedsServer());
+    return;
+  }
   const builder = await bring("embedding", () => import("./page/embedding/builder.js"), page);
   builder?.openBuilder(store.get(), panel);
 }

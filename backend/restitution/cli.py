@@ -14,6 +14,7 @@ import click
 from click.core import ParameterSource
 
 from restitution import __version__
+from restitution.api.one_file import NAME, one_file
 from restitution.api.page import compress_page
 from restitution.api.serving import (
     address_of,
@@ -161,6 +162,20 @@ def _positive(_: click.Context, __: click.Parameter, number: float) -> float:
     if not 0 < number < math.inf:
         raise click.BadParameter(f"it must be finite and > 0, got {number:g}")
     return number
+
+
+@main.command()
+@click.option(
+    "--out",
+    type=click.File("wb"),
+    default=NAME,
+    show_default=True,
+    callback=_that_can_be_made,
+    help="HTML to write; - for standard output.",
+)
+def page(out: BinaryIO) -> None:
+    """Write the page as one file that needs no server and no network."""
+    out.write(one_file(_settings().frontend_directory).encode())
 
 
 @main.command()

@@ -54,6 +54,9 @@ export class Refused extends Error {
   }
 }
 
+/** This is asked of a server alone, and there is none: the page is one file. */
+export class NeedsServer extends Error {}
+
 const LONGEST_WAIT = 15_000;
 
 /**

@@ -2,7 +2,7 @@
 
 import { brief, powerOfTen } from "../format/number.js";
 import { isSaid, say } from "../format/words.js";
-import { knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
+import { isMethodHere, knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
@@ -44,7 +44,8 @@ export function mountAccuracyControl(element, onChange) {
      * @param {string} method that does not answer the present collision, if so
      */
     tell(method) {
-      const reason = `accuracy.refusals.${method}`;
+      const isHere = method === "" || isMethodHere(method);
+      const reason = isHere ? `accuracy.refusals.${method}` : "server.needed";
       typeset(refusal, isSaid(reason) ? say(reason) : "");
     },
 

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { Refused, Unreachable } from "../api/client.js";
+import { NeedsServer, Refused, Unreachable } from "../api/client.js";
 import { say } from "../format/words.js";
 
 /**
@@ -13,6 +13,8 @@ export function createExplanation(onLost) {
   return (refuse) => (error) => {
     if (error instanceof Unreachable) {
       onLost(say(`server.${error.reason}`));
+    } else if (error instanceof NeedsServer) {
+      refuse(say("server.needed"), "");
     } else if (!(error instanceof Refused)) {
       throw error;
     } else if (error.message) {

@@ -10,14 +10,22 @@ export async function bringKernel(client, onHere) {
   const root = document.documentElement;
   root.toggleAttribute("data-kernel-coming", true);
   try {
-    const [{ createKernel }, { createAnswers }, module] = await Promise.all([
-      import("../kernel/kernel.js"),
-      import("../kernel/answers.js"),
-      client.kernel(),
-    ]);
-    onHere(createAnswers(await createKernel(module)));
+    onHere(await answersBy(client.kernel()));
   } catch {
     // nothing is lost that was there before
   }
   root.toggleAttribute("data-kernel-coming", false);
+}
+
+/**
+ * What a kernel that is on its way answers.
+ * @param {Promise<WebAssembly.Module>} coming
+ */
+export async function answersBy(coming) {
+  const [{ createKernel }, { createAnswers }, module] = await Promise.all([
+    import("../kernel/kernel.js"),
+    import("../kernel/answers.js"),
+    coming,
+  ]);
+  return createAnswers(await createKernel(module));
 }

@@ -3,6 +3,7 @@
 import { knownLanguages, say, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
+import { linkTo } from "../state/address/place.js";
 import { writeAddress } from "../state/address/writing.js";
 import { copyText } from "../widgets/copy.js";
 import { setOrRemove } from "../widgets/elements.js";
@@ -58,7 +59,7 @@ export function mountShell({ present, onOption }) {
   language.append(...knownLanguages().map(languageOption));
   language.addEventListener("change", () => onOption({ lang: language.value }));
   share.addEventListener("click", async () => {
-    const done = await copyText(new URL(writeAddress(present()), location.href).href);
+    const done = await copyText(linkTo(writeAddress(present())));
     share.textContent = say(done ? "page.copied" : "page.copyYourself");
     byTestId("said").textContent = done ? say("page.linkCopied") : "";
     clearTimeout(timer);

@@ -4,9 +4,12 @@ import { isSaid, learn, learnMore, say, spokenLanguage } from "../format/words.j
 import { find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
-/** Takes the words that the server has put into the page. */
-export function takeTexts() {
-  learn(JSON.parse(find("#words").textContent ?? ""));
+/**
+ * Takes the words of the page.
+ * @param {import("../format/words.js").Words | null} words where it is one file; else its server has put them into it
+ */
+export function takeTexts(words) {
+  learn(words ?? JSON.parse(find("#words").textContent ?? ""));
   putTexts();
   document.title = say("page.title");
 }

@@ -125,7 +125,7 @@ function stateInWords(state, link, time, results) {
   return {
     saved: time.toISOString(),
     link,
-    options: Object.fromEntries(new URL(link).searchParams),
+    options: Object.fromEntries(new URLSearchParams(link.replace(/^[^?]*/, ""))),
     parameters: Object.fromEntries(parameters),
     results,
   };

@@ -35,6 +35,8 @@ const FILES = [
  * @typedef {object} Load
  * @property {(request: import("../format/requests.js").Request) => Promise<Blob>} file
  * @property {(address: string) => Promise<Blob>} font
+ * @property {(error: unknown) => void} explain why it does not give what was asked for
+ * @property {string} server its address, where it is not that of the page
  * @property {(reason: string) => void} reportLost where the server does not answer
  */
 
@@ -65,11 +67,14 @@ export function mountPictureMenu(panel, picture, embed, load) {
     const link = document.createElement("a");
     link.textContent = text();
     link.title = title?.() ?? "";
-    link.addEventListener("click", async (event) => {
+    link.addEventListener("click", (event) => {
       const request = saved.request(form);
-      if (request.body) {
+      if (request.body || load.server) {
         event.preventDefault();
-        download(await load.file(request), link.download);
+        load
+          .file(request)
+          .then((file) => download(file, link.download))
+          .catch(load.explain);
       }
     });
     return { form, link };
@@ -103,7 +108,7 @@ export function mountPictureMenu(panel, picture, embed, load) {
     pictureGroup.hidden = !hasPicture || !isHere;
     table.hidden = !picture.table || !isHere;
     for (const { form, link } of data) {
-      link.href = addressOf(saved.request(form));
+      link.href = addressOf(saved.request(form), load.server);
       link.download = saved.fileName(form.format);
     }
   });
@@ -177,9 +182,10 @@ export function mountPictureMenu(panel, picture, embed, load) {
 
   function showRequest() {
     const request = picture.request();
+    const server = load.server || serverOf(location.href);
     openSheet(say("menu.requestOf", { title: picture.title }), [
-      codeBlock("curl", curlOf(request, serverOf(location.href))),
-      codeBlock("Python", pythonOf(request, serverOf(location.href))),
+      codeBlock("curl", curlOf(request, server)),
+      codeBlock("Python", pythonOf(request, server)),
     ]);
   }
 

@@ -2,6 +2,7 @@
 
 import { fileName } from "../format/requests.js";
 import { say } from "../format/words.js";
+import { linkTo } from "../state/address/place.js";
 import { writeAddress } from "../state/address/writing.js";
 import { byTestId } from "../widgets/find.js";
 import { download } from "./download.js";
@@ -22,7 +23,7 @@ export function mountSaveAll(panels, present, load) {
       return;
     }
     const state = present();
-    const link = new URL(writeAddress(state), location.href).href;
+    const link = linkTo(writeAddress(state));
     const shown = panels.filter(isShown);
     const { zip, lack } = await parts.bundle({ state, link, panels: shown, load });
     download(zip, fileName(state.scene, { ...state.collision }, "zip"));

@@ -162,6 +162,16 @@ export function nearestNotch({ notches }, value) {
   return distances.indexOf(Math.min(...distances));
 }
 
+let methodsHere = METHODS.map(({ id }) => id);
+
+/** Takes the methods that there are without a server. @param {string[]} methods */
+export function keepMethods(methods) {
+  methodsHere = methods;
+}
+
+/** Whether there is somebody to answer by a method. @param {string} method */
+export const isMethodHere = (method) => methodsHere.includes(method);
+
 /**
  * Whether a method answers a collision at all: a request that is refused leaves its mark in the
  * browser's console.
@@ -170,6 +180,9 @@ export function nearestNotch({ notches }, value) {
  */
 export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn, damping }) {
   const psi = gt_over_gn / mu_over_alpha;
+  if (!isMethodHere(method)) {
+    return false;
+  }
   switch (method) {
     case "stiff":
       return damping === 0;

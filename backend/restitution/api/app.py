@@ -15,6 +15,7 @@ from restitution.api import document, problems
 from restitution.api.admission import Admission
 from restitution.api.guide import add_guide
 from restitution.api.observing import LOGGER, observe, set_up_log
+from restitution.api.one_file import add_one_file
 from restitution.api.page import add_page, compress_page
 from restitution.api.reference_pages import add_reference_pages
 from restitution.api.routes import collisions, paper, scaling, service, table, tradeoff
@@ -68,6 +69,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     add_reference_pages(app)
     add_guide(app)
     add_page(app, settings.frontend_directory)
+    add_one_file(app, settings.frontend_directory)
     return app
 
 

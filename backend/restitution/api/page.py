@@ -65,15 +65,16 @@ def compress_page(frontend_directory: Path) -> None:
         entry = _entry(path, path.stat())
         if entry not in _compressed:
             body = _compress(path)
-            _compressed[entry] = _Compressed(body, _tag(body))
+            _compressed[entry] = _Compressed(body, entity_tag(body))
 
 
-def _tag(body: bytes) -> str:
+def entity_tag(body: bytes) -> str:
     """Return the entity tag of what is sent."""
     return f'"{hashlib.sha256(body).hexdigest()[:32]}"'
 
 
-def _brotli(text: bytes, quality: int) -> bytes:
+def pack(text: bytes, quality: int) -> bytes:
+    """Return a text compressed by brotli."""
     packed: bytes = brotli.compress(text, quality=quality, lgwin=22)
     return packed
 
@@ -87,7 +88,7 @@ def _compress(source: Path) -> bytes:
     kept = cache.read(file) if CACHE_FOLDER else None
     if kept is not None and brotli.decompress(kept) == text:
         return kept
-    body = _brotli(text, quality=11)
+    body = pack(text, quality=11)
     if CACHE_FOLDER:
         cache.write(file, body)
     return body
@@ -125,7 +126,7 @@ def _made(request: Request, text: str, headers: dict[str, str]) -> Response:
     if "br" in request.headers.get("accept-encoding", ""):
         body = _packed(text)
         headers["Content-Encoding"] = "br"
-    headers["ETag"] = tag = _tag(body)
+    headers["ETag"] = tag = entity_tag(body)
     if known := known_tag(tag, request.headers.get("if-none-match", "")):
         return Response(None, 304, headers | {"ETag": known})
     return Response(body, headers=headers)
@@ -155,6 +156,17 @@ LATER = (
 State = frozenset[Entry]
 """The page's files."""
 
+
+def state_of(directory: Path) -> State:
+    """Return what a folder holds now."""
+    paths = (
+        os.path.join(folder, name)  # noqa: PTH118 - asked for with each page, of each file
+        for folder, _, names in os.walk(directory)
+        for name in names
+    )
+    return frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
+
+
 KEPT = "max-age=31536000, immutable"
 
 IMPORT = re.compile(r'^(?:import|} from|export .* from)\b.*"(\.[^"]+)";', re.MULTILINE)
@@ -183,13 +195,13 @@ def _versioned_page(directory: Path, state: State, language: str) -> str:
         f'<link rel="modulepreload" href="static/{module.as_posix()}" />'
         for module in sorted(modules)
     )
-    text = _assembled(directory).replace("<!-- modules -->", announced)
+    text = assembled(directory).replace("<!-- modules -->", announced)
     text = text.replace('lang="en"', f'lang="{language}"', 1)
-    text = text.replace("<!-- words -->", _words(_locales(directory, state), language))
+    text = text.replace("<!-- words -->", _words(locales(directory, state), language))
     return text.replace('="static/', f'="static/{_version(state)}/')
 
 
-def _assembled(directory: Path) -> str:
+def assembled(directory: Path) -> str:
     """Return index.html with the parts that it names, each in the room of its scene."""
     text = (directory / "index.html").read_text("utf-8")
     return PART.sub(lambda part: (directory / part[1]).read_text("utf-8"), text)
@@ -198,11 +210,11 @@ def _assembled(directory: Path) -> str:
 @lru_cache(maxsize=20)
 def _packed(text: str) -> bytes:
     """Return a text compressed by brotli: words are a sixth less than gzip makes of them."""
-    return _brotli(text.encode(), quality=9)
+    return pack(text.encode(), quality=9)
 
 
 @lru_cache(maxsize=2)
-def _locales(directory: Path, state: State) -> dict[str, dict[str, Any]]:  # noqa: ARG001 - what it hangs on
+def locales(directory: Path, state: State) -> dict[str, dict[str, Any]]:  # noqa: ARG001 - what it hangs on
     """Return the texts of each language that the page has."""
     return {
         file.stem: json.loads(file.read_text("utf-8"))
@@ -215,13 +227,13 @@ def _words(locales: dict[str, dict[str, Any]], language: str) -> str:
     words = {
         "language": language,
         "languages": [{"id": name, "name": own["name"]} for name, own in locales.items()],
-        "texts": _texts(locales, language, later=False),
+        "texts": texts_of(locales, language, later=False),
     }
     text = _json(words).replace("<", "\\u003c")
     return f'<script type="application/json" id="words">{text}</script>'
 
 
-def _texts(locales: dict[str, dict[str, Any]], language: str, *, later: bool) -> dict[str, Any]:
+def texts_of(locales: dict[str, dict[str, Any]], language: str, *, later: bool) -> dict[str, Any]:
     """Return the texts of a language, of the first view or those that come later.
 
     What it lacks is said in the usual one.
@@ -298,17 +310,12 @@ class _Files(StaticFiles):
 
     def later_words(self, language: str) -> str:
         """Return the texts of a language that the page does without at first, as JSON."""
-        return _json(_texts(self._look(), language, later=True))
+        return _json(texts_of(self._look(), language, later=True))
 
     def _look(self) -> dict[str, dict[str, Any]]:
         """Take in how the files are now; return the texts of each language."""
-        paths = (
-            os.path.join(folder, name)  # noqa: PTH118 - asked for with each page, of each file
-            for folder, _, names in os.walk(self._directory)
-            for name in names
-        )
-        self._state = frozenset(_entry(path, os.stat(path)) for path in paths)  # noqa: PTH116
-        return _locales(self._directory, self._state)
+        self._state = state_of(self._directory)
+        return locales(self._directory, self._state)
 
     def get_path(self, scope: Scope) -> str:
         """Return the path of a file in the folder, which knows no versions."""

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { serverOf } from "../../format/requests.js";
+import { linkTo } from "../../state/address/place.js";
 import { STEPS, textsOf } from "../../state/lesson.js";
 import { make, told } from "../../widgets/elements.js";
 import { teacherNotes } from "./teacher-notes.js";
@@ -149,5 +149,5 @@ function blanks(names) {
  */
 function addressOf(step, language) {
   const query = new URLSearchParams({ scene: "lesson", step: String(step), lang: language });
-  return `${serverOf(location.href)}?${query}`;
+  return linkTo(`?${query}`);
 }

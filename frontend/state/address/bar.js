@@ -1,5 +1,6 @@
 // @ts-check
 
+import { changeSearch, presentSearch } from "./place.js";
 import { readAddress } from "./reading.js";
 import { writeAddress } from "./writing.js";
 
@@ -14,7 +15,7 @@ export const ONE_STEP = 1000;
  * @param {(state: import("./options.js").PageState, problems: string[]) => void} onReturn back or forward was pressed
  */
 export function createAddressBar(onReturn) {
-  let settled = location.search;
+  let settled = presentSearch();
   let settledAt = -ONE_STEP;
   /** Which page of the book, so to say: to turn it is always a step of its own. */
   let page = "";
@@ -23,7 +24,7 @@ export function createAddressBar(onReturn) {
 
   addEventListener("popstate", () => {
     clearTimeout(timer);
-    settled = location.search;
+    settled = presentSearch();
     // What was returned to stays in the history, however soon something is changed.
     settledAt = -ONE_STEP;
     const { state, problems } = readAddress(settled);
@@ -36,7 +37,7 @@ export function createAddressBar(onReturn) {
     correct(state) {
       settled = writeAddress(state);
       page = pageOf(state);
-      history.replaceState(null, "", settled);
+      changeSearch("replaceState", settled);
     },
 
     /**
@@ -47,23 +48,23 @@ export function createAddressBar(onReturn) {
       const address = writeAddress(state);
       clearTimeout(timer);
       if (dragging) {
-        timer = setTimeout(() => history.replaceState(null, "", address), PAUSE);
+        timer = setTimeout(() => changeSearch("replaceState", address), PAUSE);
         return;
       }
       if (isWorkedOut || parent !== window) {
         // No step of its own, or from the one before it back would lead here again; in a frame back
         // belongs to the page around it.
         settled = address;
-        history.replaceState(null, "", address);
+        changeSearch("replaceState", address);
         return;
       }
       if (address !== settled) {
         const now = performance.now();
         if (now - settledAt < ONE_STEP && page === pageOf(state)) {
-          history.replaceState(null, "", address);
+          changeSearch("replaceState", address);
         } else {
-          history.replaceState(null, "", settled);
-          history.pushState(null, "", address);
+          changeSearch("replaceState", settled);
+          changeSearch("pushState", address);
         }
         settled = address;
         settledAt = now;
