@@ -161,7 +161,6 @@ def test_words_of_every_language_and_presets_are_those_of_the_server(parts, serv
 
 def test_what_a_server_alone_has_is_left_out(text, parts):
     assert "guide/" not in [given.get("href") for _, given in parts.elements]
-    assert "one-file" not in [given.get("data-testid") for _, given in parts.elements]
     assert "<!-- served -->" not in text
 
 
@@ -221,6 +220,5 @@ def test_server_hands_it_out_compressed_once_for_its_files(client, text, encodin
     assert (again.status_code, again.content) == (304, b"")
 
 
-def test_page_links_to_it_below_whatever_path_it_stands(client):
-    assert re.search(r'href="restitution.html"\s+download', client.get("/").text)
+def test_it_is_no_call_of_the_interface(client):
     assert "/restitution.html" not in client.get("/openapi.json").json()["paths"]

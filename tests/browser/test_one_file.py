@@ -196,3 +196,11 @@ def test_in_the_frame_of_a_course_it_changes_its_language_too(
     expect(frame.get_by_test_id("kappa-field")).to_have_value("18")
     frame.get_by_test_id("share").click()
     silence.assert_kept()
+
+
+def test_the_page_of_a_server_hands_it_out_where_frames_are_written(tab: Page):
+    tab.get_by_test_id("embed").click()
+    with tab.expect_download() as saving:
+        tab.get_by_test_id("builder").get_by_text(words("en")["embedding"]["oneFile"]).click()
+    assert saving.value.suggested_filename == "restitution.html"
+    assert saving.value.path().read_text("utf-8") == one_file(FRONTEND)

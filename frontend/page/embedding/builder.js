@@ -42,7 +42,13 @@ function createBuilder() {
     outcome.append(place);
     return createCode(place, say(`embedding.${name}`));
   });
-  outcome.append(told("p", "panel-note", say("embedding.moodle")));
+  const file = told("a", "", say("embedding.oneFile"));
+  file.href = "restitution.html";
+  file.download = "";
+  outcome.append(
+    told("p", "panel-note", say("embedding.moodle")),
+    make("p", "panel-note", say("embedding.offline"), " ", file),
+  );
   const title = told("h2", "", say("embedding.title"));
   title.id = "embedding-title";
   const close = told("button", "quiet", say("sheet.close"));
