@@ -31,6 +31,14 @@ OFFERED = {
 SERVED = ["spheres", "accuracy", "paper"]
 
 
+def visit(page: Page, address: str) -> None:
+    """Open the file and wait until all is drawn that is to be seen."""
+    page.goto(address)
+    # no timer or frame tells that it comes
+    page.wait_for_function("() => 'Plotly' in globalThis")
+    rest(page)
+
+
 def words(language: str) -> dict:
     return json.loads((FRONTEND / "locales" / f"{language}.json").read_text("utf-8"))
 
@@ -84,8 +92,7 @@ def test_every_scene_that_it_offers_is_whole_and_silent(
 ):
     lost = words(language)["server"]["lost"].partition("}}")[2]
     for name, query in OFFERED.items():
-        page.goto(f"{address}?{query}&lang={language}")
-        rest(page)
+        visit(page, f"{address}?{query}&lang={language}")
         assert page.evaluate("document.documentElement.lang") == language
         text = page.locator("body").inner_text()
         assert lost not in text, name
@@ -102,13 +109,13 @@ def test_what_needs_a_server_says_so_in_the_language_of_the_page(
     page: Page, silence: Silence, address: str, language: str
 ):
     needed = words(language)["server"]["needed"]
-    page.goto(f"{address}?lang={language}")
+    visit(page, f"{address}?lang={language}")
     for scene in SERVED:
         page.get_by_test_id("scenes").get_by_text(words(language)["page"]["scenes"][scene]).click()
         rest(page)
         expect(page.locator("main > :visible")).to_have_count(1)
         expect(page.get_by_test_id("needs-server").locator("p:visible")).to_have_text(needed)
-    page.goto(f"{address}?lang={language}&face=expert")
+    visit(page, f"{address}?lang={language}&face=expert")
     page.get_by_test_id("method").select_option("timestep")
     expect(page.get_by_test_id("accuracy-refusal")).to_have_text(needed)
     page.get_by_test_id("method").select_option("exact")
@@ -121,8 +128,7 @@ def test_what_needs_a_server_says_so_in_the_language_of_the_page(
 def test_the_step_of_the_lesson_that_takes_time_steps_is_not_judged_without_them(
     page: Page, silence: Silence, address: str
 ):
-    page.goto(f"{address}?scene=lesson&step=10")
-    rest(page)
+    visit(page, f"{address}?scene=lesson&step=10")
     needed = words("en")["server"]["needed"]
     expect(page.locator(".overlay .reason")).to_have_text(needed)
     expect(page.locator(".lesson-question")).to_have_attribute("data-verdict", "open")
@@ -130,7 +136,7 @@ def test_the_step_of_the_lesson_that_takes_time_steps_is_not_judged_without_them
 
 
 def test_a_language_is_changed_and_the_collision_stays(page: Page, silence: Silence, address: str):
-    page.goto(address)
+    visit(page, address)
     page.get_by_test_id("kappa-field").fill("18")
     page.get_by_test_id("kappa-field").press("Enter")
     page.get_by_test_id("language").select_option("es")
@@ -141,8 +147,7 @@ def test_a_language_is_changed_and_the_collision_stays(page: Page, silence: Sile
 
 
 def test_pictures_are_saved_and_data_are_the_servers(page: Page, silence: Silence, address: str):
-    page.goto(address)
-    rest(page)
+    visit(page, address)
     menu = page.locator("#menu-force")
     for name in ("SVG", "PNG"):
         page.get_by_test_id("menu-force").click()
@@ -163,8 +168,7 @@ def test_pictures_are_saved_and_data_are_the_servers(page: Page, silence: Silenc
 
 
 def test_a_request_is_shown_as_a_server_at_hand_takes_it(page: Page, address: str):
-    page.goto(address)
-    rest(page)
+    visit(page, address)
     page.get_by_test_id("menu-force").click()
     page.locator("#menu-force").get_by_text(words("en")["menu"]["request"]).click()
     expect(page.get_by_test_id("sheet")).to_contain_text("http://127.0.0.1:8000/api/v1/trace?")

@@ -66,10 +66,12 @@ def one_file(directory: Path) -> str:
     parts = {
         '<meta charset="utf-8" />': '<meta charset="utf-8" />\n'
         f'    <meta http-equiv="Content-Security-Policy" content="{POLICY}" />',
-        "<!-- words -->": _data("file", _contents(directory)),
-        "<!-- modules -->": _script("importmap", _json({"imports": _modules(directory)})),
+        "<!-- words -->": _script("application/json", _json(_contents(directory)), "file"),
+        "<!-- modules -->": _script(
+            "importmap", _json({"imports": _modules(directory)}), "modules"
+        ),
         MAIN: '<script type="module" blocking="render">import "main.js";</script>',
-        PLOTLY_SCRIPT: f'<script defer src="{_attribute(_address(PLOTLY))}"></script>',
+        PLOTLY_SCRIPT: _script("text/plain", _unended(PLOTLY.read_text("utf-8")), "plotly"),
     }
     for marked, part in parts.items():
         before, found, after = text.partition(marked)
@@ -193,12 +195,14 @@ def _attribute(text: str) -> str:
     return text.replace("&", "&amp;").replace('"', "&quot;").replace("<", "&lt;")
 
 
-def _data(name: str, value: dict[str, Any]) -> str:
-    return f'<script type="application/json" id="{name}">{_json(value)}</script>'
+def _script(kind: str, text: str, name: str) -> str:
+    return f'<script type="{kind}" id="{name}">{text}</script>'
 
 
-def _script(kind: str, text: str) -> str:
-    return f'<script type="{kind}">{text}</script>'
+def _unended(text: str) -> str:
+    """Return a script that stands in a page as it is."""
+    assert not re.search("</script|<!--", text, re.IGNORECASE)
+    return text
 
 
 def _json(value: dict[str, Any]) -> str:
