@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 from rest import count_pending, rest
+from scenes_of_file import OFFERED, SERVED
 
 from cases import every_day
 from restitution.api.one_file import one_file
@@ -15,20 +16,6 @@ pytestmark = pytest.mark.browser
 
 FRONTEND = Settings().frontend_directory
 LANGUAGES = sorted(path.stem for path in (FRONTEND / "locales").glob("*.json"))
-
-OFFERED = {
-    "explorer": "face=expert&energy=shown&damping=0.2",
-    "plain": "face=plain",
-    "second bounce": "bounce=wall_twice&map=switches",
-    "compare": "kappa=30&pins=63,1.4,1.358;4.5,1.4,4;18,0.8,0.9,0.3&face=expert",
-    "sweep": "sweep=kappa,20,80",
-    "projector": "presenting=on&left=force&right=map",
-    "panel": "embed=force",
-    **{f"lesson, step {step}": f"scene=lesson&step={step}&notes=shown" for step in range(1, 11)},
-    "hand-out": "scene=lesson&handout=shown&notes=shown",
-}
-
-SERVED = ["spheres", "accuracy", "paper"]
 
 
 def visit(page: Page, address: str) -> None:

@@ -15,6 +15,7 @@ import pytest
 from packaging.metadata import Metadata
 
 import restitution
+from restitution.api.one_file import one_file
 from servers import free_port, kill_with_children, wait_until_ready
 
 ROOT = Path(__file__).parents[2]
@@ -128,3 +129,9 @@ def test_wheel_has_every_file_of_package_and_page_and_no_other(wheel):
         for path in folder.rglob("*")
         if path.is_file() and "__pycache__" not in path.parts
     }
+
+
+def test_page_as_one_file_is_that_of_the_checkout(installed):
+    written = subprocess.run(**installed("page", "--out", "-"), check=True, capture_output=True)
+    assert written.stdout.decode() == one_file(ROOT / "frontend")
+    assert written.stderr == b""
