@@ -1,15 +1,14 @@
 // @ts-check
 
-/**
- * The address of the page from its question mark on. Where the browser lets none be changed, as in the frame of
- * a text, the name of the window holds it, which stays when the page is loaded anew.
- */
-
 const PREFIX = "restitution:";
 
+/**
+ * The address of the page from its question mark on. Where the browser lets none be changed, as in the frame of
+ * a text, the name of the window holds it, beside the address that stays: it outlives the page's being loaded anew.
+ */
 export function presentSearch() {
-  const { name } = window;
-  return location.search || (name.startsWith(PREFIX) ? name.slice(PREFIX.length) : "");
+  const kept = `${PREFIX}${location.href} `;
+  return window.name.startsWith(kept) ? window.name.slice(kept.length) : location.search;
 }
 
 /**
@@ -20,7 +19,7 @@ export function changeSearch(how, search) {
   try {
     history[how](null, "", search);
   } catch {
-    window.name = PREFIX + search;
+    window.name = `${PREFIX}${location.href} ${search}`;
   }
 }
 

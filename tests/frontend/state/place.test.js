@@ -37,7 +37,10 @@ test("where the browser lets no address be changed, the name of the window holds
   assert.equal(linkTo("?lang=de"), "?lang=de");
 });
 
-test("a name that somebody else gave is no address", () => {
-  window.name = "frame-of-the-course";
-  assert.equal(presentSearch(), "");
+test("a name that somebody else gave, or that was given elsewhere, is no address", () => {
+  for (const name of ["frame-of-the-course", "restitution:file:///stick/other.html ?lang=de"]) {
+    window.name = name;
+    location.search = "?kappa=2";
+    assert.equal(presentSearch(), "?kappa=2");
+  }
 });
