@@ -5,6 +5,7 @@ import { NeedsServer } from "./client.js";
 /**
  * What a page that is one file holds of what others ask the server for.
  * @typedef {object} Contents
+ * @property {string} language the usual one
  * @property {{id: string, name: string}[]} languages
  * @property {Record<string, {first: Record<string, any>, later: Record<string, any>}>} texts by their languages:
  *   those of the first view, and those that come later

@@ -100,7 +100,9 @@ def add_one_file(app: FastAPI, directory: Path) -> None:
         with lock:
             if kept.state != state:
                 text = one_file(directory).encode()
-                kept = _Packed(state, {"br": pack(text, quality=9), "gzip": gzip.compress(text)})
+                # the same in every worker, without the time at which it was made
+                packed = {"br": pack(text, quality=9), "gzip": gzip.compress(text, mtime=0)}
+                kept = _Packed(state, packed)
             return kept.bodies
 
     @app.get(f"/{NAME}", include_in_schema=False)

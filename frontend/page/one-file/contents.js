@@ -12,15 +12,15 @@ export function contentsOfFile() {
 export const SERVED = ["spheres", "accuracy", "paper"];
 
 /**
- * The words of the first view in the language of an address, else the first that the reader has, else English.
+ * The words of the first view in the language of an address, else the first that the reader has, else the usual one.
  * @param {Contents} contents
  * @param {string} search
  * @returns {import("../../format/words.js").Words}
  */
-export function wordsOfFile({ languages, texts }, search) {
+export function wordsOfFile({ language: usual, languages, texts }, search) {
   const preferred = navigator.languages.map((name) => name.split("-")[0]);
   const wanted = [new URLSearchParams(search).get("lang") ?? "", ...preferred];
-  const language = wanted.find((name) => Object.hasOwn(texts, name)) ?? "en";
+  const language = wanted.find((name) => Object.hasOwn(texts, name)) ?? usual;
   document.documentElement.lang = language;
   return { language, languages, texts: texts[language].first };
 }

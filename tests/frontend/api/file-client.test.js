@@ -6,6 +6,9 @@ import { createFileClient, METHODS_HERE } from "../../../frontend/api/file-clien
 
 const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 const CONTENTS = {
+  language: "de",
+  languages: [{ id: "de", name: "Deutsch" }],
+  server: "",
   texts: { de: { first: { page: {} }, later: { lesson: { title: "Lektion" } } } },
   presets: [{ id: "figure-3" }],
   kernel: "AGFzbQEAAAA=",
