@@ -133,6 +133,17 @@ def test_a_language_is_changed_and_the_collision_stays(page: Page, silence: Sile
     silence.assert_kept()
 
 
+@pytest.mark.parametrize(("locale", "language"), [("de-CH", "de"), ("ja-JP", "en")])
+def test_it_speaks_the_language_of_the_reader_where_it_has_it(
+    browser: Browser, address: str, locale: str, language: str
+):
+    with browser.new_context(locale=locale) as context:
+        page = context.new_page()
+        page.goto(address)
+        expect(page.locator("html")).to_have_attribute("lang", language)
+        expect(page.get_by_test_id("share")).to_have_text(words(language)["page"]["share"])
+
+
 def test_pictures_are_saved_and_data_are_the_servers(page: Page, silence: Silence, address: str):
     visit(page, address)
     menu = page.locator("#menu-force")
