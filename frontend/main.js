@@ -9,16 +9,15 @@ import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
 import { bringKernel } from "./page/kernel.js";
 import { mountMessage } from "./page/messages.js";
-import { contentsOfFile, SERVED, wordsOfFile } from "./page/one-file/contents.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
-import { takeLaterTexts, takeTexts } from "./page/texts.js";
+import { contentsOfFile, takeLaterTexts, takeTexts } from "./page/texts.js";
 import { mountUndo } from "./page/undo.js";
 import { mountPictureMenu } from "./pictures/picture-menu.js";
 import { mountSaveAll } from "./pictures/save-all.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
-import { createAddressBar } from "./state/address/bar.js";
+import { createAddressBar, presentSearch } from "./state/address/bar.js";
 import { createCollisionLoad } from "./state/loading/collision-load.js";
 import { createConnection } from "./state/loading/connection.js";
 import { createLatest } from "./state/loading/latest.js";
@@ -27,7 +26,6 @@ import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { embedded, isPresented, SCENES } from "./state/scenes.js";
 import { createStore } from "./state/store.js";
-import { presentSearch } from "./state/address/place.js";
 import { readAddress } from "./state/address/reading.js";
 import { byTestId, find } from "./widgets/find.js";
 import { afterNextFrame, announcePainted } from "./widgets/painted.js";
@@ -38,13 +36,13 @@ import { mountSweepButtons } from "./widgets/sweep-buttons.js";
  * @typedef {import("./state/store.js").Change} Change
  */
 
-/** What the page asks nobody for, where it is one file. */
-const file = contentsOfFile();
-takeTexts(file && wordsOfFile(file, presentSearch()));
+const contents = contentsOfFile();
+/** What there is instead of a server. */
+const file =
+  contents && (await (await import("./page/one-file/open.js")).openFile(contents, presentSearch()));
+takeTexts(file?.words);
 
-const client = file
-  ? await (await import("./page/one-file/open.js")).openFile(file)
-  : createClient();
+const client = file?.client ?? createClient();
 const { state: initialState, problems } = readAddress(presentSearch());
 const store = createStore(initialState);
 const banner = mountMessage(byTestId("banner"));
@@ -162,7 +160,7 @@ const load = {
 /** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
 const panels = [];
 const deferred = DEFERRED.map(([id, isShown, its]) => {
-  const loading = file && SERVED.includes(id) ? standIn(id) : its;
+  const loading = file?.isServed(id) ? standIn(id) : its;
   return createDeferredScene(id, isShown, loading, page, mountMenus);
 });
 const scenes = [explorer, ...deferred];

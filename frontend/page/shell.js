@@ -3,7 +3,7 @@
 import { knownLanguages, say, spokenLanguage } from "../format/words.js";
 import { settingOf } from "../state/lesson.js";
 import { SCENES } from "../state/scenes.js";
-import { linkTo } from "../state/address/place.js";
+import { linkTo } from "../state/address/bar.js";
 import { writeAddress } from "../state/address/writing.js";
 import { copyText } from "../widgets/copy.js";
 import { setOrRemove } from "../widgets/elements.js";

@@ -4,9 +4,15 @@ import { isSaid, learn, learnMore, say, spokenLanguage } from "../format/words.j
 import { find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
+/** What `restitution page` has put into a page that is one file; else null. @returns {import("../api/file-client.js").Contents | null} */
+export function contentsOfFile() {
+  const text = document.querySelector("#file")?.textContent;
+  return text ? JSON.parse(text) : null;
+}
+
 /**
  * Takes the words of the page.
- * @param {import("../format/words.js").Words | null} words where it is one file; else its server has put them into it
+ * @param {import("../format/words.js").Words} [words] where it is one file; else its server has put them into it
  */
 export function takeTexts(words) {
   learn(words ?? JSON.parse(find("#words").textContent ?? ""));

@@ -2,7 +2,7 @@
 
 import { fileName } from "../format/requests.js";
 import { say } from "../format/words.js";
-import { linkTo } from "../state/address/place.js";
+import { linkTo } from "../state/address/bar.js";
 import { writeAddress } from "../state/address/writing.js";
 import { byTestId } from "../widgets/find.js";
 import { download } from "./download.js";

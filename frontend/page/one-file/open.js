@@ -2,13 +2,57 @@
 
 import { createFileClient, kernelOf, METHODS_HERE } from "../../api/file-client.js";
 import { keepMethods } from "../../state/accuracy.js";
+import { find } from "../../widgets/find.js";
+import { afterNextFrame } from "../../widgets/painted.js";
 import { answersBy } from "../kernel.js";
 
+/** So long, in ms, Plotly waits at most for a moment without work: it takes longer than all else. */
+const PAUSE = 200;
+
+/** Not everywhere yet. */
+const idle =
+  globalThis.requestIdleCallback ?? ((/** @type {() => void} */ task) => setTimeout(task, PAUSE));
+
+/** @typedef {import("../../api/file-client.js").Contents} Contents */
+
+/** Scenes that are nothing without a server. */
+const SERVED = ["spheres", "accuracy", "paper"];
+
 /**
- * A client that needs no server: the kernel in the file answers.
- * @param {import("../../api/file-client.js").Contents} contents
+ * What a page that is one file has instead of a server: the kernel answers.
+ * @param {Contents} contents
+ * @param {string} search
  */
-export async function openFile(contents) {
+export async function openFile(contents, search) {
+  const answers = await answersBy(kernelOf(contents));
   keepMethods(METHODS_HERE);
-  return createFileClient(contents, await answersBy(kernelOf(contents)));
+  afterNextFrame(() => idle(runPlotly, { timeout: PAUSE }));
+  return {
+    words: wordsOfFile(contents, search),
+    client: createFileClient(contents, answers),
+    server: contents.server,
+    isServed: (/** @type {string} */ id) => SERVED.includes(id),
+  };
+}
+
+/**
+ * The words of the first view in the language of an address, else the first that the reader has, else the usual one.
+ * @param {Contents} contents
+ * @param {string} search
+ * @returns {import("../../format/words.js").Words}
+ */
+function wordsOfFile({ language: usual, languages, texts }, search) {
+  const preferred = navigator.languages.map((name) => name.split("-")[0]);
+  const wanted = [new URLSearchParams(search).get("lang") ?? "", ...preferred];
+  const language = wanted.find((name) => Object.hasOwn(texts, name)) ?? usual;
+  document.documentElement.lang = language;
+  return { language, languages, texts: texts[language].first };
+}
+
+/** After what needs no plot is there. */
+function runPlotly() {
+  const script = document.createElement("script");
+  script.text = find("#plotly").textContent ?? "";
+  document.head.append(script);
+  dispatchEvent(new Event("restitution:plotly"));
 }

@@ -1,6 +1,6 @@
 // @ts-check
 
-import { linkTo } from "../../state/address/place.js";
+import { linkTo } from "../../state/address/bar.js";
 import { STEPS, textsOf } from "../../state/lesson.js";
 import { make, told } from "../../widgets/elements.js";
 import { teacherNotes } from "./teacher-notes.js";

@@ -1,8 +1,10 @@
 // @ts-check
 
-import { changeSearch, presentSearch } from "./place.js";
 import { readAddress } from "./reading.js";
 import { writeAddress } from "./writing.js";
+
+/** Of the name of a window that holds an address. */
+const PREFIX = "restitution:";
 
 /** Browsers refuse more than some twenty changes of the address a second. */
 const PAUSE = 150;
@@ -77,4 +79,30 @@ export function createAddressBar(onReturn) {
 /** @param {import("./options.js").PageState} state */
 function pageOf({ scene, step }) {
   return `${scene} ${step}`;
+}
+
+/**
+ * The address of the page from its question mark on. Where the browser lets none be changed, as in the frame of
+ * a text, the name of the window holds it, beside the address that stays: it outlives the page's being loaded anew.
+ */
+export function presentSearch() {
+  const kept = `${PREFIX}${location.href} `;
+  return window.name.startsWith(kept) ? window.name.slice(kept.length) : location.search;
+}
+
+/**
+ * @param {"pushState" | "replaceState"} how
+ * @param {string} search
+ */
+export function changeSearch(how, search) {
+  try {
+    history[how](null, "", search);
+  } catch {
+    window.name = `${PREFIX}${location.href} ${search}`;
+  }
+}
+
+/** The whole address, as far as there is one. @param {string} search */
+export function linkTo(search) {
+  return URL.canParse(search, location.href) ? new URL(search, location.href).href : search;
 }

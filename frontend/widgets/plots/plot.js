@@ -2,7 +2,6 @@
 
 import { announceCanvasReading } from "./canvas-reading.js";
 import { noteRest } from "./overlay.js";
-import { plotlyIsHere } from "./plotly.js";
 import { quickDraw } from "./quick-draw.js";
 import { currentTheme, onPrinting, onThemeChange } from "../theme.js";
 
@@ -17,6 +16,16 @@ const CONFIG = {
 
 // Before Plotly makes its first canvas.
 announceCanvasReading();
+
+/** Resolves once the page's deferred scripts, Plotly among them, have run. */
+const plotlyIsHere = new Promise((resolve) => {
+  if (document.readyState === "complete") {
+    resolve(undefined);
+  } else {
+    addEventListener("DOMContentLoaded", resolve, { once: true });
+    addEventListener("load", resolve, { once: true });
+  }
+});
 
 /**
  * A Plotly element that follows its size and the colour scheme.
@@ -67,7 +76,9 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
   observer.observe(element);
   const endPrinting = onPrinting(() => resize(element.getBoundingClientRect()));
   const endThemeChanges = onThemeChange(() => draw());
-  plotlyIsHere().then(() => draw());
+  plotlyIsHere.then(() => draw());
+  // one file lets it come later
+  addEventListener("restitution:plotly", () => draw(), { once: true });
 
   return {
     /**

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { beforeEach, test } from "node:test";
 
-import { changeSearch, linkTo, presentSearch } from "../../../frontend/state/address/place.js";
+import { changeSearch, linkTo, presentSearch } from "../../../frontend/state/address/bar.js";
 
 let refused = false;
 const window = { name: "" };
