@@ -45,7 +45,7 @@ export function mountAccuracyControl(element, onChange) {
      */
     tell(method) {
       const isHere = method === "" || isMethodHere(method);
-      const reason = isHere ? `accuracy.refusals.${method}` : "server.needed";
+      const reason = isHere ? `accuracy.refusals.${method}` : "oneFile.needed";
       typeset(refusal, isSaid(reason) ? say(reason) : "");
     },
 

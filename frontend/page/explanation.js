@@ -14,7 +14,7 @@ export function createExplanation(onLost) {
     if (error instanceof Unreachable) {
       onLost(say(`server.${error.reason}`));
     } else if (error instanceof NeedsServer) {
-      refuse(say("server.needed"), "");
+      refuse(say("oneFile.needed"), "");
     } else if (!(error instanceof Refused)) {
       throw error;
     } else if (error.message) {

@@ -95,7 +95,7 @@ def test_every_scene_that_it_offers_is_whole_and_silent(
 def test_what_needs_a_server_says_so_in_the_language_of_the_page(
     page: Page, silence: Silence, address: str, language: str
 ):
-    needed = words(language)["server"]["needed"]
+    needed = words(language)["oneFile"]["needed"]
     visit(page, f"{address}?lang={language}")
     for scene in SERVED:
         page.get_by_test_id("scenes").get_by_text(words(language)["page"]["scenes"][scene]).click()
@@ -116,7 +116,7 @@ def test_the_step_of_the_lesson_that_takes_time_steps_is_not_judged_without_them
     page: Page, silence: Silence, address: str
 ):
     visit(page, f"{address}?scene=lesson&step=10")
-    needed = words("en")["server"]["needed"]
+    needed = words("en")["oneFile"]["needed"]
     expect(page.locator(".overlay .reason")).to_have_text(needed)
     expect(page.locator(".lesson-question")).to_have_attribute("data-verdict", "open")
     silence.assert_kept()
@@ -156,7 +156,7 @@ def test_pictures_are_saved_and_data_are_the_servers(page: Page, silence: Silenc
             assert "font/woff2;base64," in svg
     page.get_by_test_id("menu-force").click()
     menu.get_by_text("CSV", exact=True).click()
-    expect(page.get_by_test_id("notice")).to_have_text(words("en")["server"]["needed"])
+    expect(page.get_by_test_id("notice")).to_have_text(words("en")["oneFile"]["needed"])
     page.keyboard.press("Escape")
     with page.expect_download() as saving:
         page.get_by_test_id("save-all").click()

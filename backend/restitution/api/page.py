@@ -142,6 +142,7 @@ LATER = (
     "errorMap",
     "lesson",
     "materials",
+    "oneFile",
     "overlay",
     "paper",
     "presenting",

@@ -36,7 +36,7 @@ export async function openFile(contents, search) {
 }
 
 /**
- * The words of the first view in the language of an address, else the first that the reader has, else the usual one.
+ * The words in the language of an address, else the first that the reader has, else the usual one.
  * @param {Contents} contents
  * @param {string} search
  * @returns {import("../../format/words.js").Words}
@@ -46,7 +46,7 @@ function wordsOfFile({ language: usual, languages, texts }, search) {
   const wanted = [new URLSearchParams(search).get("lang") ?? "", ...preferred];
   const language = wanted.find((name) => Object.hasOwn(texts, name)) ?? usual;
   document.documentElement.lang = language;
-  return { language, languages, texts: texts[language].first };
+  return { language, languages, texts: { ...texts[language].first, ...texts[language].later } };
 }
 
 /** After what needs no plot is there. */

@@ -17,7 +17,7 @@ export function mountStandIn(id, { present }) {
     "section",
     "panel needs-server",
     told("h2", "", say(`page.scenes.${id}`)),
-    told("p", "", say("server.needed")),
+    told("p", "", say("oneFile.needed")),
   );
   for (const part of document.querySelectorAll("main [data-scene]")) {
     const scenes = (part.getAttribute("data-scene") ?? "").split(" ").filter((own) => own !== id);
@@ -30,7 +30,7 @@ export function mountStandIn(id, { present }) {
   find("main").append(panel);
   if (id === "accuracy") {
     // a step of the lesson shows one of its panels
-    showReason(find(".overlay .plot-stage"), say("server.needed"));
+    showReason(find(".overlay .plot-stage"), say("oneFile.needed"));
   }
 
   return { show() {}, follow() {}, forget() {}, pictures: {} };
