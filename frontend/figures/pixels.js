@@ -20,8 +20,8 @@ export function pixelScale({ width, height, margin, xaxis, yaxis }) {
 }
 
 /**
- * Whether two figures have the same axes and differ only in the marks of their traces: how many there
- * are, where they lie and what is written on them.
+ * Whether two figures have the same axes, but for how far that of time reaches, and differ only in the
+ * marks of their traces: how many there are, where they lie and what is written on them.
  * @param {Figure} a
  * @param {Figure} b
  */
@@ -77,8 +77,8 @@ function along([from, to], length) {
 
 /** @param {Figure["layout"]} layout */
 function frameOf({ width, height, margin, font, xaxis, yaxis }) {
-  const axes = [xaxis, yaxis].map(({ range, ticktext, title }) => [range, ticktext, title]);
-  return JSON.stringify([width, height, margin, font, axes]);
+  const axes = [xaxis, yaxis].map(({ ticktext, title }) => [ticktext, title]);
+  return JSON.stringify([width, height, margin, font, axes, xaxis.range[0], yaxis.range]);
 }
 
 const MOVABLE = ["x", "y", "width", "base", "text"];

@@ -17,6 +17,8 @@ MARKS = """(plot) => {
     const [red, green, blue, alpha = 1] = numbers(fill);
     return [red, green, blue, alpha * Number(fillOpacity)];
   };
+  // a space stands for none
+  const words = all(".barlayer g.point > text").filter((text) => text.textContent.trim());
   return {
     lines: all(".js-line").map((line) => numbers(line.getAttribute("d"))),
     points: all("path.point").map((point) => numbers(point.getAttribute("transform"))),
@@ -24,8 +26,10 @@ MARKS = """(plot) => {
       [text.textContent, Number(text.getAttribute("x")), Number(text.getAttribute("y"))]),
     bars: all(".barlayer g.point > path").map((bar) => numbers(bar.getAttribute("d"))),
     fills: all(".barlayer g.point > path").map(fill),
-    words: all(".barlayer g.point > text").map((text) => text.textContent),
-    wordPlaces: all(".barlayer g.point > text").map((text) =>
+    words: words.map((text) => text.textContent),
+    ticks: all(".xaxislayer-above path.xtick, .xaxislayer-above g.xtick > text").map((tick) =>
+      numbers(tick.getAttribute("transform"))),
+    wordPlaces: words.map((text) =>
       numbers(text.getAttribute("transform"))[0]),
   };
 }"""
@@ -43,6 +47,7 @@ def marks(page: Page, name: str) -> dict[str, list]:
     ("slider", "shares"),
     [
         ("kappa", (0.3, 0.55, 0.7)),
+        ("damping", (0.2, 0.3)),
         pytest.param("gt-over-gn", (0.2, 0.45, 0.6), marks=pytest.mark.verify),
         pytest.param("mu-over-alpha", (0.2, 0.8), marks=pytest.mark.verify),
     ],

@@ -42,8 +42,8 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
   /** @type {import("../../figures/plot-area.js").Size | null} */
   let size = null;
 
-  /** @type {import("../../figures/plot-area.js").Figure | null} */
-  let drawn = null;
+  /** What Plotly has drawn, and what is to be seen since. @type {Record<"drawn" | "moved", import("../../figures/plot-area.js").Figure> | null} */
+  let there = null;
 
   /** Returns whether it was done the quick way. */
   function draw(quickly = false) {
@@ -51,18 +51,19 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
       return false;
     }
     const figure = makeFigure(shown.subject, currentTheme(), size);
-    const isQuick = quickly && drawn !== null && quickDraw(element, drawn, figure);
+    const isQuick =
+      quickly && there !== null && quickDraw(element, there.drawn, there.moved, figure);
     if (isQuick) {
       // As after Plotly's own drawing, the element holds the data of what it shows.
       Object.assign(element, { data: figure.data });
     } else {
       Plotly.react(element, figure.data, figure.layout, { ...CONFIG, ...config });
-      if (onPoint && !drawn) {
+      if (onPoint && !there) {
         const plot = /** @type {any} */ (element);
         plot.on("plotly_click", (/** @type {any} */ event) => onPoint(event.points[0]?.customdata));
       }
     }
-    drawn = figure;
+    there = { drawn: isQuick && there ? there.drawn : figure, moved: figure };
     return isQuick;
   }
 

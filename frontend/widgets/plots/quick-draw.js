@@ -8,27 +8,47 @@ import { write } from "../write.js";
  * everything anew and takes five times as long, too much for every step of a drag on a small machine.
  * When the drag is over, Plotly draws what has been moved here, and puts its own house in order.
  *
- * @param {HTMLElement} element drawn by Plotly
- * @param {import("../../figures/plot-area.js").Figure} shown what it shows
- * @param {import("../../figures/plot-area.js").Figure} next
+ * @typedef {import("../../figures/plot-area.js").Figure} Figure
+ *
+ * @param {HTMLElement} element
+ * @param {Figure} drawn what Plotly has drawn there
+ * @param {Figure} shown what it shows since
+ * @param {Figure} next
  * @returns {boolean} whether that could be done
  */
-export function quickDraw(element, shown, next) {
+export function quickDraw(element, drawn, shown, next) {
   if (!differInMarksOnly(shown, next)) {
     return false;
   }
-  const drawn = next.data.map(marksOf(element));
-  if (!drawn.every((marks, i) => isEnough(marks, next.data[i]))) {
+  const all = drawn.data.map(marksOf(element));
+  if (!all.every((marks, i) => isEnough(marks, next.data[i]))) {
     return false;
   }
   const scale = pixelScale(next.layout);
-  for (const [i, marks] of drawn.entries()) {
-    if (isSame(shown.data[i], next.data[i])) {
-      continue;
+  const isMoved = shown.layout.xaxis.range[1] !== next.layout.xaxis.range[1];
+  if (isMoved) {
+    moveTicks(element, next.layout, scale);
+  }
+  for (const [i, marks] of all.entries()) {
+    if (isMoved || !isSame(shown.data[i], next.data[i])) {
+      (next.data[i].type === "bar" ? moveBars : moveScatter)(next.data[i], marks, scale);
     }
-    (next.data[i].type === "bar" ? moveBars : moveScatter)(next.data[i], marks, scale);
   }
   return true;
+}
+
+/**
+ * Moves the ticks of the horizontal axis with their words.
+ * @param {HTMLElement} element
+ * @param {Figure["layout"]} layout
+ * @param {import("../../figures/pixels.js").PixelScale} scale
+ */
+function moveTicks(element, { margin, xaxis }, scale) {
+  for (const marks of ["path.xtick", "g.xtick > text"]) {
+    for (const [i, mark] of element.querySelectorAll(`.xaxislayer-above > ${marks}`).entries()) {
+      mark.setAttribute("transform", `translate(${margin.l + scale.x(xaxis.tickvals[i])},0)`);
+    }
+  }
 }
 
 /**
@@ -48,7 +68,8 @@ function isSame(shown, next) {
  */
 
 /**
- * Plotly keeps one group for each trace, in their order, by layers of one type.
+ * Plotly keeps one group for each trace, in their order, by layers of one type; none for one that was
+ * empty when it was drawn.
  * @param {HTMLElement} element
  * @returns {(trace: Record<string, any>) => Marks}
  */
@@ -58,10 +79,10 @@ function marksOf(element) {
     scatter: element.querySelectorAll(".scatterlayer > .trace"),
   };
   const taken = { bar: 0, scatter: 0 };
-  return ({ type }) => {
+  return ({ type, x }) => {
     const kind = type === "bar" ? "bar" : "scatter";
-    const group = groups[kind][taken[kind]];
-    taken[kind] += 1;
+    const group = x.length > 0 ? groups[kind][taken[kind]] : undefined;
+    taken[kind] += x.length > 0 ? 1 : 0;
     const all = (/** @type {string} */ selector) => [...(group?.querySelectorAll(selector) ?? [])];
     return kind === "bar"
       ? { lines: [], points: all("g.point"), texts: all("g.point > text") }
@@ -78,7 +99,7 @@ function isEnough({ lines, points, texts }, { mode, text, x }) {
   if (mode === "lines") {
     return lines.length === 1;
   }
-  return x.length === 0 || (points.length > 0 && (!text || texts.length === points.length));
+  return x.length === 0 || (points.length > 0 && (!text || texts.length > 0));
 }
 
 /**
@@ -103,7 +124,9 @@ function made(marks, count) {
  * @param {Marks} marks
  * @param {import("../../figures/pixels.js").PixelScale} scale
  */
-function moveBars(trace, { points }, scale) {
+function moveBars(trace, { points, texts }, scale) {
+  // Plotly leaves out the word of a bar that is narrower than its pixels.
+  const [word] = texts;
   const places = barPlaces(/** @type {any} */ (trace), scale);
   for (const [i, point] of made(points, places.length).entries()) {
     const { path, middle } = places[i];
@@ -112,8 +135,9 @@ function moveBars(trace, { points }, scale) {
     // The opacity is in the colour here; Plotly keeps the two apart.
     outline.style.fill = trace.marker.color[i];
     outline.style.fillOpacity = "1";
-    const text = point.querySelector("text");
-    if (text) {
+    if (word) {
+      const text =
+        point.querySelector("text") ?? point.appendChild(/** @type {Element} */ (word.cloneNode()));
       const place = text.getAttribute("transform") ?? "";
       text.setAttribute("transform", place.replace(/\([^,]*,/, `(${middle},`));
       write(text, trace.text[i]);
