@@ -20,8 +20,9 @@ export function pixelScale({ width, height, margin, xaxis, yaxis }) {
 }
 
 /**
- * Whether two figures have the same axes, but for how far that of time reaches, and differ only in the
- * marks of their traces: how many there are, where they lie and what is written on them.
+ * Whether two figures have axes of one kind, with as many ticks and the zero at the same place, and
+ * differ only in the marks of their traces: how many there are, where they lie and what is written on
+ * them. Ticks are marks as well, and move with the end of their axis.
  * @param {Figure} a
  * @param {Figure} b
  */
@@ -77,8 +78,13 @@ function along([from, to], length) {
 
 /** @param {Figure["layout"]} layout */
 function frameOf({ width, height, margin, font, xaxis, yaxis }) {
-  const axes = [xaxis, yaxis].map(({ ticktext, title }) => [ticktext, title]);
-  return JSON.stringify([width, height, margin, font, axes, xaxis.range[0], yaxis.range]);
+  const axes = [xaxis, yaxis].map(({ range, ticktext, title, showgrid }) => {
+    // lines of a grid, and words that are set in several pieces, stay as they are
+    const isFixed = showgrid || ticktext.some((/** @type {string} */ word) => word.includes("<"));
+    const zero = (range[0] / range[1]).toFixed(9);
+    return [title, ...(isFixed ? [range, ticktext] : [zero, ticktext.length])];
+  });
+  return JSON.stringify([width, height, margin, font, axes]);
 }
 
 const MOVABLE = ["x", "y", "width", "base", "text"];

@@ -27,8 +27,11 @@ MARKS = """(plot) => {
     bars: all(".barlayer g.point > path").map((bar) => numbers(bar.getAttribute("d"))),
     fills: all(".barlayer g.point > path").map(fill),
     words: words.map((text) => text.textContent),
-    ticks: all(".xaxislayer-above path.xtick, .xaxislayer-above g.xtick > text").map((tick) =>
-      numbers(tick.getAttribute("transform"))),
+    ticks: ["x", "y"].flatMap((name) =>
+      all(`.${name}axislayer-above > path, .${name}axislayer-above text`).map((tick) =>
+        numbers(tick.getAttribute("transform")))),
+    tickWords: all(".xaxislayer-above text, .yaxislayer-above text").map((tick) => tick.textContent),
+    zero: all("path.yzl").map((line) => numbers(line.getAttribute("transform"))),
     wordPlaces: words.map((text) =>
       numbers(text.getAttribute("transform"))[0]),
   };
@@ -48,7 +51,7 @@ def marks(page: Page, name: str) -> dict[str, list]:
     [
         ("kappa", (0.3, 0.55, 0.7)),
         ("damping", (0.2, 0.3)),
-        pytest.param("gt-over-gn", (0.2, 0.45, 0.6), marks=pytest.mark.verify),
+        pytest.param("gt-over-gn", (0.2, 0.3, 0.35, 0.45, 0.6), marks=pytest.mark.verify),
         pytest.param("mu-over-alpha", (0.2, 0.8), marks=pytest.mark.verify),
     ],
 )

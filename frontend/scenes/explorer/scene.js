@@ -39,8 +39,8 @@ import {
  * @typedef {import("../../api/answers.js").Trace} Trace
  */
 
-/** At most so often a map or a cut is asked for, in ms. */
-const PAUSES = { map: 80, cut: 50 };
+/** At most so often a map or a cut is asked for, in ms: to draw a map takes longer than a frame. */
+const PAUSES = { map: 200, cut: 50 };
 
 /** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
 const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
@@ -74,8 +74,13 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
     isEnough: isEnoughMap,
     onAnswer(grid, wish) {
       shownMap = { grid, ...wish };
-      drawMap();
       cut.colorUpTo(mostSwitches(grid));
+      if (isQuickMap(wish)) {
+        // computed in one frame, drawn in another: a hand that drags waits for neither
+        afterNextFrame(drawMap);
+      } else {
+        drawMap();
+      }
     },
     onError: explain,
     pause: PAUSES.map,

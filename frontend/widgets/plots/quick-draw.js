@@ -25,9 +25,14 @@ export function quickDraw(element, drawn, shown, next) {
     return false;
   }
   const scale = pixelScale(next.layout);
-  const isMoved = shown.layout.xaxis.range[1] !== next.layout.xaxis.range[1];
+  const ticks = (/** @type {Figure} */ { layout: { xaxis, yaxis } }) =>
+    JSON.stringify(
+      [xaxis, yaxis].map(({ range, tickvals, ticktext }) => [range, tickvals, ticktext]),
+    );
+  const isMoved = ticks(shown) !== ticks(next);
   if (isMoved) {
-    moveTicks(element, next.layout, scale);
+    moveTicks(element, "x", next.layout, scale);
+    moveTicks(element, "y", next.layout, scale);
   }
   for (const [i, marks] of all.entries()) {
     if (isMoved || !isSame(shown.data[i], next.data[i])) {
@@ -38,16 +43,29 @@ export function quickDraw(element, drawn, shown, next) {
 }
 
 /**
- * Moves the ticks of the horizontal axis with their words.
+ * Moves the ticks of an axis that are within its range, with their words.
  * @param {HTMLElement} element
+ * @param {"x" | "y"} name
  * @param {Figure["layout"]} layout
  * @param {import("../../figures/pixels.js").PixelScale} scale
  */
-function moveTicks(element, { margin, xaxis }, scale) {
-  for (const marks of ["path.xtick", "g.xtick > text"]) {
-    for (const [i, mark] of element.querySelectorAll(`.xaxislayer-above > ${marks}`).entries()) {
-      mark.setAttribute("transform", `translate(${margin.l + scale.x(xaxis.tickvals[i])},0)`);
+function moveTicks(element, name, layout, scale) {
+  const { range, tickvals, ticktext } = layout[`${name}axis`];
+  const shown = [...tickvals.keys()].filter(
+    (i) => tickvals[i] >= range[0] && tickvals[i] <= range[1],
+  );
+  const all = (/** @type {string} */ marks) =>
+    element.querySelectorAll(`.${name}axislayer-above > ${marks}`);
+  for (const marks of [all(`path.${name}tick`), all(`g.${name}tick > text`)]) {
+    for (const [i, mark] of marks.entries()) {
+      const place = scale[name](tickvals[shown[i]]);
+      const { l, t } = layout.margin;
+      const moved = name === "x" ? `${l + place},0` : `0,${t + place}`;
+      mark.setAttribute("transform", `translate(${moved})`);
     }
+  }
+  for (const [i, mark] of all(`g.${name}tick > text`).entries()) {
+    write(mark, ticktext[shown[i]]);
   }
 }
 

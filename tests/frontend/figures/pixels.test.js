@@ -57,6 +57,7 @@ test("differInMarksOnly lets marks move, come and go, and words with them", () =
     figureWithSwitchAt(1, { episodes: episodes.map((one) => ({ ...one, direction: 1 })) }),
     // the same ticks at other places
     figureWithSwitchAt(1, { contact_duration: 3.5 }),
+    figureWithSwitchAt(1, { normal_force: Float64Array.of(0, 2, 1, 0) }),
   ]) {
     assert.ok(differInMarksOnly(figureWithSwitchAt(1), other));
   }
@@ -64,7 +65,6 @@ test("differInMarksOnly lets marks move, come and go, and words with them", () =
 
 test("differInMarksOnly sees other axes, another style, another size", () => {
   for (const change of [
-    { normal_force: Float64Array.of(0, 2, 1, 0) },
     { contact_duration: 4.5 },
     { theme: { ...THEME, tangentialForce: "other" } },
     { size: { ...SIZE, width: 601 } },
