@@ -3,11 +3,10 @@
 import { createClient, NeedsServer, Unreachable } from "./api/client.js";
 import { say, spokenLanguage } from "./format/words.js";
 import { mountCollision } from "./page/collision.js";
-import { bring, createDeferredScene } from "./page/deferred-scene.js";
+import { bring, createDeferredScene, letCome } from "./page/deferred-scene.js";
 import { createExplanation } from "./page/explanation.js";
 import { mountFace } from "./page/face.js";
 import { mountFirstHint } from "./page/first-hint.js";
-import { bringKernel } from "./page/kernel.js";
 import { mountMessage } from "./page/messages.js";
 import { mountPin } from "./page/pin.js";
 import { mountShell } from "./page/shell.js";
@@ -18,10 +17,9 @@ import { mountSaveAll } from "./pictures/save-all.js";
 import { mountExplorer } from "./scenes/explorer/scene.js";
 import { accuracyOf, sameAccuracy, withAccuracy } from "./state/accuracy.js";
 import { createAddressBar, presentSearch } from "./state/address/bar.js";
-import { createCollisionLoad } from "./state/loading/collision-load.js";
+import { createCollisionLoad, serverAlone } from "./state/loading/collision-load.js";
 import { createConnection } from "./state/loading/connection.js";
 import { createLatest } from "./state/loading/latest.js";
-import { createSource } from "./state/loading/source.js";
 import { showsSteps } from "./state/lesson.js";
 import { sameCollision } from "./state/parameters.js";
 import { embedded, isPresented, SCENES } from "./state/scenes.js";
@@ -66,11 +64,7 @@ const connection = createConnection({
     loadAll();
   },
 });
-const source = createSource(client, {
-  isAway: connection.isLost,
-  // eslint-disable-next-line no-console -- for whoever looks into it; a reader could do nothing
-  onDifference: (own, told) => console.warn("the kernel differs from the server:", own, told),
-});
+const source = serverAlone(client);
 const explainBy = createExplanation(connection.reportLost);
 /** What a frame lets through of a change. @type {typeof import("./page/embedding/frame.js").unlocked} */
 let unlocked = (patch) => patch;
@@ -159,10 +153,9 @@ const load = {
 };
 /** @type {import("./pictures/panel-picture.js").PanelPicture[]} */
 const panels = [];
-const deferred = DEFERRED.map(([id, isShown, its]) => {
-  const loading = file?.isServed(id) ? standIn(id) : its;
-  return createDeferredScene(id, isShown, loading, page, mountMenus);
-});
+const deferred = DEFERRED.map(([id, isShown, its]) =>
+  createDeferredScene(id, isShown, file?.standIns[id] ?? its, page, mountMenus),
+);
 const scenes = [explorer, ...deferred];
 /** Those that the kernel in the page can do for. */
 const nearScenes = [explorer, ...deferred.filter((_, i) => DEFERRED[i][0] === "compare")];
@@ -219,14 +212,6 @@ function mountMenus({ pictures }) {
   for (const [name, picture] of Object.entries(pictures)) {
     panels.push(mountPictureMenu(find(`[data-panel="${name}"]`), picture, openBuilder, load));
   }
-}
-
-/** What is in place of a scene that is nothing without a server. @param {string} id */
-function standIn(id) {
-  return async () => {
-    const { mountStandIn } = await import("./page/one-file/stand-in.js");
-    return (/** @type {typeof page} */ its) => mountStandIn(id, its);
-  };
 }
 
 /** Shows how the page stands in the frame of another one. @param {string} [panel] that is wanted there */
@@ -309,12 +294,25 @@ function settle(answer, wish) {
   if (!isKernelAsked) {
     // not before there is a picture to look at
     isKernelAsked = true;
-    afterNextFrame(() => bringKernel(client, source.takeKernel));
+    afterNextFrame(bringKernel);
   }
   if (!wish.isPictured) {
     afterNextFrame(() => announcePainted("result", wish.change.inputTimeStamp));
   }
   scenes.forEach((scene) => scene.settle?.(answer, wish, isPresent));
+}
+
+/** A browser that refuses the kernel, or a proxy whose policy does, leaves the page as it is without. */
+async function bringKernel() {
+  const found = await letCome("kernel", async () => {
+    const { sourceWithKernel } = await import("./page/kernel.js");
+    return sourceWithKernel(client, {
+      isAway: connection.isLost,
+      // eslint-disable-next-line no-console -- for whoever looks into it; a reader could do nothing
+      onDifference: (own, told) => console.warn("the kernel differs from the server:", own, told),
+    });
+  });
+  Object.assign(source, found);
 }
 
 function loadAll() {

@@ -28,11 +28,8 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
 
   async function open() {
     isComing = true;
-    const root = document.documentElement;
-    root.toggleAttribute(`data-${id}-coming`, true);
-    const mount = await bring(id, load, page);
+    const mount = await letCome(id, () => bring(id, load, page));
     isComing = false;
-    root.toggleAttribute(`data-${id}-coming`, false);
     if (!mount) {
       return;
     }
@@ -94,6 +91,25 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
 
     pictures: {},
   };
+}
+
+/**
+ * Lets something come, which is seen to be under way.
+ * @template Part
+ * @param {string} id
+ * @param {() => Promise<Part>} load
+ * @returns {Promise<Part | null>} null where it does not arrive
+ */
+export async function letCome(id, load) {
+  const root = document.documentElement;
+  root.toggleAttribute(`data-${id}-coming`, true);
+  try {
+    return await load();
+  } catch {
+    return null;
+  } finally {
+    root.toggleAttribute(`data-${id}-coming`, false);
+  }
 }
 
 /**

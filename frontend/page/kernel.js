@@ -1,20 +1,14 @@
 // @ts-check
 
+import { createSource } from "../state/loading/source.js";
+
 /**
- * Lets the kernel come that computes collisions in the page. A browser that refuses it, or a proxy
- * whose policy does, leaves the page as it is without: all is asked of the server.
- * @param {Pick<ReturnType<typeof import("../api/client.js").createClient>, "kernel">} client
- * @param {(answers: ReturnType<typeof import("../kernel/answers.js").createAnswers>) => void} onHere
+ * The server with the kernel beside it.
+ * @param {ReturnType<typeof import("../api/client.js").createClient>} client
+ * @param {Parameters<typeof createSource>[2]} options
  */
-export async function bringKernel(client, onHere) {
-  const root = document.documentElement;
-  root.toggleAttribute("data-kernel-coming", true);
-  try {
-    onHere(await answersBy(client.kernel()));
-  } catch {
-    // nothing is lost that was there before
-  }
-  root.toggleAttribute("data-kernel-coming", false);
+export async function sourceWithKernel(client, options) {
+  return createSource(client, await answersBy(client.kernel()), options);
 }
 
 /**

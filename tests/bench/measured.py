@@ -63,9 +63,9 @@ class Connection(asyncio.Protocol):
 async def connect(port: int, kept: Connection | None = None) -> Connection:
     """Return the connection that was kept, or a new one where the server closes that.
 
-    nginx does so after a thousand requests.
+    nginx does so after a thousand requests, and whoever serves when nothing is asked for a while.
     """
-    if kept and b"connection: close" not in kept.headers:
+    if kept and not kept.transport.is_closing() and b"connection: close" not in kept.headers:
         return kept
     loop = asyncio.get_running_loop()
     return (await loop.create_connection(Connection, "127.0.0.1", port))[1]

@@ -70,7 +70,7 @@ def compress_page(frontend_directory: Path) -> None:
 
 def entity_tag(body: bytes) -> str:
     """Return the entity tag of what is sent."""
-    return f'"{hashlib.sha256(body).hexdigest()[:32]}"'
+    return f'"{hashlib.sha256(body).hexdigest()[:16]}"'
 
 
 def pack(text: bytes, quality: int) -> bytes:

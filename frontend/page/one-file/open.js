@@ -31,7 +31,7 @@ export async function openFile(contents, search) {
     words: wordsOfFile(contents, search),
     client: createFileClient(contents, answers),
     server: contents.server,
-    isServed: (/** @type {string} */ id) => SERVED.includes(id),
+    standIns: Object.fromEntries(SERVED.map((id) => [id, () => standIn(id)])),
   };
 }
 
@@ -47,6 +47,12 @@ function wordsOfFile({ language: usual, languages, texts }, search) {
   const language = wanted.find((name) => Object.hasOwn(texts, name)) ?? usual;
   document.documentElement.lang = language;
   return { language, languages, texts: { ...texts[language].first, ...texts[language].later } };
+}
+
+/** What mounts a scene that is nothing without a server. @param {string} id */
+async function standIn(id) {
+  const { mountStandIn } = await import("./stand-in.js");
+  return (/** @type {import("../../scenes/scene.js").Page} */ page) => mountStandIn(id, page);
 }
 
 /** After what needs no plot is there. */

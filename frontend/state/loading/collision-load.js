@@ -30,9 +30,20 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "../drawab
 /**
  * What answers of the client's calls.
  * @typedef {Pick<ReturnType<typeof import("../../api/client.js").createClient>, "collision" | "trace" | "answer" | "map" | "cut" | "bounce">} Server
- *
- * @typedef {ReturnType<typeof import("./source.js").createSource>} Source
  */
+
+/**
+ * Who is asked.
+ * @typedef {object} Source
+ * @property {(dragging: boolean) => boolean} isNear whether the kernel in the page is
+ * @property {(dragging: boolean) => Server} of
+ * @property {(told: CollisionAnswer) => void} compare what the server says with what the kernel does
+ */
+
+/** As long as there is nobody else. @param {Server} server @returns {Source} */
+export function serverAlone(server) {
+  return { isNear: () => false, of: () => server, compare() {} };
+}
 
 /**
  * A collision as it is exactly: with its trace, or, where it switches too often for a picture, without.

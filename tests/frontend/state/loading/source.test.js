@@ -1,7 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { createCollisionLoad } from "../../../../frontend/state/loading/collision-load.js";
+import {
+  createCollisionLoad,
+  serverAlone,
+} from "../../../../frontend/state/loading/collision-load.js";
 import { createSource } from "../../../../frontend/state/loading/source.js";
 import { USUAL_ACCURACY } from "../../../../frontend/state/accuracy.js";
 
@@ -17,13 +20,12 @@ const said = (by, epsilon = 0.5, switches = 0) => ({
 /** Someone who answers all collisions alike. */
 const answering = (answer) => ({ collision: async () => answer, trace: async () => answer });
 
-function sourceOf({ server = said("server"), isAway = () => false } = {}) {
+const SERVER = { ...answering(said("server")), answer: async () => ({ method: "timestep" }) };
+
+function sourceOf(kernel, isAway = () => false) {
   const differences = [];
-  const source = createSource(
-    { ...answering(server), answer: async () => ({ method: "timestep" }) },
-    { isAway, onDifference: (...both) => differences.push(both) },
-  );
-  return { source, differences };
+  const onDifference = (...both) => differences.push(both);
+  return { source: createSource(SERVER, answering(kernel), { isAway, onDifference }), differences };
 }
 
 const wish = (dragging, accuracy = USUAL_ACCURACY) => ({
@@ -31,23 +33,21 @@ const wish = (dragging, accuracy = USUAL_ACCURACY) => ({
 });
 
 test("the server is asked until the kernel is here, and then while no hand drags", async () => {
-  const { source } = sourceOf();
+  const source = serverAlone(SERVER);
   const load = createCollisionLoad(source);
   assert.equal((await load(wish(true))).result.by, "server");
-  source.takeKernel(answering(said("kernel")));
+  Object.assign(source, sourceOf(said("kernel")).source);
   assert.equal((await load(wish(true))).result.by, "kernel");
   assert.equal((await load(wish(false))).result.by, "server");
 });
 
 test("what the kernel does not answer is asked of the server", async () => {
-  const { source } = sourceOf();
-  source.takeKernel(answering(null));
+  const { source } = sourceOf(null);
   assert.equal((await source.of(true).trace(COLLISION)).by, "server");
 });
 
 test("while the server is away the kernel answers all, exactly and by no other method", async () => {
-  const { source } = sourceOf({ isAway: () => true });
-  source.takeKernel(answering(said("kernel")));
+  const { source } = sourceOf(said("kernel"), () => true);
   const { result } = await createCollisionLoad(source)(
     wish(false, { ...USUAL_ACCURACY, method: "timestep" }),
   );
@@ -62,8 +62,7 @@ test("a kernel that differs from the server beyond both bounds is told of once",
     [said("kernel", 0.5, 2), 1],
     [{ ...said("kernel", 0.5, 2), switches_certain: false }, 0],
   ]) {
-    const { source, differences } = sourceOf();
-    source.takeKernel(answering(own));
+    const { source, differences } = sourceOf(own);
     await source.compare(said("server"));
     await source.compare(said("server"));
     assert.equal(differences.length, count);
