@@ -309,7 +309,7 @@ async function bringKernel() {
     return sourceWithKernel(client, {
       isAway: connection.isLost,
       // eslint-disable-next-line no-console -- for whoever looks into it; a reader could do nothing
-      onDifference: (own, told) => console.warn("the kernel differs from the server:", own, told),
+      onFault: (...what) => console.warn("the kernel in the page", ...what),
     });
   });
   Object.assign(source, found);

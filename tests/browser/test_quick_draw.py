@@ -30,7 +30,8 @@ MARKS = """(plot) => {
     ticks: ["x", "y"].flatMap((name) =>
       all(`.${name}axislayer-above > path, .${name}axislayer-above text`).map((tick) =>
         numbers(tick.getAttribute("transform")))),
-    tickWords: all(".xaxislayer-above text, .yaxislayer-above text").map((tick) => tick.textContent),
+    tickWords: all(".xaxislayer-above text, .yaxislayer-above text").map(
+      (tick) => tick.textContent),
     zero: all("path.yzl").map((line) => numbers(line.getAttribute("transform"))),
     wordPlaces: words.map((text) =>
       numbers(text.getAttribute("transform"))[0]),

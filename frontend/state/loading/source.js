@@ -23,30 +23,44 @@ const CALLS = ["collision", "trace", "map", "cut", "bounce"];
  * @param {Answers} kernel
  * @param {object} options
  * @param {() => boolean} options.isAway
- * @param {(own: CollisionAnswer, told: CollisionAnswer) => void} options.onDifference told once, if both do not agree
+ * @param {(...what: unknown[]) => void} options.onFault told if the kernel breaks down, after which it is not asked
+ *   again, or does not agree with the server, once
  * @returns {import("./collision-load.js").Source}
  */
-export function createSource(server, kernel, { isAway, onDifference }) {
+export function createSource(server, kernel, { isAway, onFault }) {
+  let isWhole = true;
   let isToBeConfirmed = true;
 
   /** @param {keyof Answers} call */
-  const nearby = (call) => async (/** @type {any} */ wish, /** @type {AbortSignal} */ signal) =>
-    (await kernel[call](wish, signal)) ?? server[call](wish, signal);
+  const nearby = (call) => async (/** @type {any} */ wish, /** @type {AbortSignal} */ signal) => {
+    try {
+      const found = await kernel[call](wish, signal);
+      if (found) {
+        return found;
+      }
+    } catch (error) {
+      signal?.throwIfAborted();
+      isWhole = false;
+      onFault("broke down:", error);
+    }
+    return server[call](wish, signal);
+  };
   /** @type {Server} */
   const near = { ...server, ...Object.fromEntries(CALLS.map((call) => [call, nearby(call)])) };
 
   /** @param {boolean} dragging */
-  const isNear = (dragging) => dragging || isAway();
+  const isNear = (dragging) => isWhole && (dragging || isAway());
 
   return {
     isNear,
     of: (dragging) => (isNear(dragging) ? near : server),
 
     async compare(told) {
-      const own = isToBeConfirmed && (await kernel.collision(told.parameters, UNENDING));
+      const isAsked = isWhole && isToBeConfirmed;
+      const own = isAsked && (await kernel.collision(told.parameters, UNENDING));
       if (own && isToBeConfirmed && differ(own, told)) {
         isToBeConfirmed = false;
-        onDifference(own, told);
+        onFault("differs from the server:", own, told);
       }
     },
   };

@@ -23,9 +23,9 @@ const answering = (answer) => ({ collision: async () => answer, trace: async () 
 const SERVER = { ...answering(said("server")), answer: async () => ({ method: "timestep" }) };
 
 function sourceOf(kernel, isAway = () => false) {
-  const differences = [];
-  const onDifference = (...both) => differences.push(both);
-  return { source: createSource(SERVER, answering(kernel), { isAway, onDifference }), differences };
+  const faults = [];
+  const onFault = (...what) => faults.push(what);
+  return { source: createSource(SERVER, answering(kernel), { isAway, onFault }), faults };
 }
 
 const wish = (dragging, accuracy = USUAL_ACCURACY) => ({
@@ -62,9 +62,36 @@ test("a kernel that differs from the server beyond both bounds is told of once",
     [said("kernel", 0.5, 2), 1],
     [{ ...said("kernel", 0.5, 2), switches_certain: false }, 0],
   ]) {
-    const { source, differences } = sourceOf(own);
+    const { source, faults } = sourceOf(own);
     await source.compare(said("server"));
     await source.compare(said("server"));
-    assert.equal(differences.length, count);
+    assert.equal(faults.length, count);
   }
+});
+
+test("a kernel that breaks down is told of and not asked again", async () => {
+  const faults = [];
+  const broken = async () => {
+    throw new Error("trap");
+  };
+  const source = createSource(
+    SERVER,
+    { trace: broken },
+    { isAway: () => false, onFault: (...what) => faults.push(what) },
+  );
+  const { signal } = new AbortController();
+  assert.equal((await source.of(true).trace(COLLISION, signal)).by, "server");
+  assert.equal(source.isNear(true), false);
+  assert.equal((await source.of(true).trace(COLLISION, signal)).by, "server");
+  assert.equal(faults.length, 1);
+});
+
+test("a wish for the kernel that is given up is no fault of it", async () => {
+  const controller = new AbortController();
+  controller.abort();
+  const given = { map: async (_, signal) => signal.throwIfAborted() };
+  const { signal } = controller;
+  const onFault = () => assert.fail();
+  const source = createSource(SERVER, given, { isAway: () => false, onFault });
+  await assert.rejects(source.of(true).map({}, signal), { name: "AbortError" });
 });
