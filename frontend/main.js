@@ -64,7 +64,7 @@ const connection = createConnection({
     loadAll();
   },
 });
-const source = serverAlone(client);
+const source = file ? file.source : serverAlone(client);
 const explainBy = createExplanation(connection.reportLost);
 /** What a frame lets through of a change. @type {typeof import("./page/embedding/frame.js").unlocked} */
 let unlocked = (patch) => patch;
@@ -93,7 +93,12 @@ const page = {
   say: notice.say,
   explainBy,
   explain: explainBy(notice.say),
-  reportLost: connection.reportLost,
+  reportLost(reason) {
+    if (connection.isLost()) {
+      notice.say(reason);
+    }
+    connection.reportLost(reason);
+  },
 };
 mountPin(page);
 const takePresses = mountSweepButtons(store.set);
@@ -171,18 +176,20 @@ const collisions = createLatest({
   load: createCollisionLoad(source),
   onAnswer: settle,
   onError: page.explain,
-  isNear: ({ change }) => source.isNear(change.dragging),
+  isUrgent: ({ change }) => change.dragging && source.isNear(true),
 });
-/** In one file it is there from the start. */
-let isKernelAsked = file !== null;
+/** How often the kernel may be asked for; in one file it is there from the start. */
+let triesOfKernel = file ? 0 : 3;
 let arePresetsHere = false;
+/** Whether the language becomes again what it was. */
+let isTakenBack = false;
 
 store.subscribe((state, previous, change) => {
   // Not under a hand that drags: the pictures below would move.
   if (!change.dragging) {
     notice.clear();
   }
-  if (state.lang !== previous.lang && state.lang !== spokenLanguage()) {
+  if (state.lang !== previous.lang && state.lang !== spokenLanguage() && !isTakenBack) {
     speak(previous.lang);
   }
   show(state, previous, change);
@@ -268,7 +275,10 @@ function follow(state, previous, change) {
  * @param {Change} change
  */
 function followNearby(state, previous, change) {
-  request(state, change);
+  // the collision of an impact is not known without a server
+  if (isPicturedIn(state)) {
+    request(state, change);
+  }
   nearScenes.forEach((scene) => scene.follow(state, previous, change));
 }
 
@@ -281,8 +291,13 @@ function request(state, change) {
     collision: state.collision,
     accuracy: accuracyOf(state),
     change,
-    isPictured: SCENES.some(({ id, hasTrace }) => hasTrace && id === state.scene),
+    isPictured: isPicturedIn(state),
   });
+}
+
+/** @param {PageState} state */
+function isPicturedIn({ scene }) {
+  return SCENES.some(({ id, hasTrace }) => hasTrace && id === scene);
 }
 
 /** @type {Parameters<typeof createLatest<import("./state/loading/collision-load.js").CollisionWish, import("./state/loading/collision-load.js").LoadedCollision>>[0]["onAnswer"]} */
@@ -291,9 +306,9 @@ function settle(answer, wish) {
   const isPresent =
     sameCollision(wish.collision, now.collision) && sameAccuracy(wish.accuracy, accuracyOf(now));
   collision.settle(answer, wish, isPresent);
-  if (!isKernelAsked) {
+  if (triesOfKernel > 0) {
     // not before there is a picture to look at
-    isKernelAsked = true;
+    triesOfKernel -= 1;
     afterNextFrame(bringKernel);
   }
   if (!wish.isPictured) {
@@ -312,7 +327,10 @@ async function bringKernel() {
       onFault: (...what) => console.warn("the kernel in the page", ...what),
     });
   });
-  Object.assign(source, found);
+  if (found) {
+    triesOfKernel = 0;
+    Object.assign(source, found);
+  }
 }
 
 function loadAll() {
@@ -326,12 +344,14 @@ function loadAll() {
  * @param {PageState["lang"]} before
  */
 async function speak(before) {
-  if (!connection.isLost() && (await isAnswering())) {
+  if (await isAnswering()) {
     location.reload();
     return;
   }
-  connection.reportLost(say("server.silent"));
+  page.reportLost(say("server.silent"));
+  isTakenBack = true;
   store.set({ lang: before });
+  isTakenBack = false;
 }
 
 async function loadPresets() {
@@ -350,7 +370,7 @@ async function loadPresets() {
 /** Whether the server computes again: one that is merely there may still be too busy. */
 async function isAnswering() {
   try {
-    await client.collision(store.get().collision);
+    await client.isAnswering(store.get().collision);
     return true;
   } catch (error) {
     return !(error instanceof Unreachable);

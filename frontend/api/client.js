@@ -137,6 +137,15 @@ export function createClient({ base = "api/v1", fetch = globalThis.fetch.bind(gl
     },
 
     /**
+     * Rejects unless the server itself, and nobody's cache, answers about a collision.
+     * @param {import("../state/parameters.js").Collision} collision
+     */
+    async isAnswering(collision) {
+      const query = new URLSearchParams({ ...collisionQuery(collision), episode_limit: "0" });
+      await get(`${base}/collision?${query}`, undefined, { cache: "no-store" });
+    },
+
+    /**
      * ε_t alone, as exactly as is wanted of it.
      * @param {import("../state/parameters.js").Collision} collision
      * @param {Record<string, string>} accuracy method, tolerance and the like

@@ -16,16 +16,14 @@ import { NeedsServer } from "./client.js";
 
 /** @typedef {ReturnType<typeof import("./client.js").createClient>} Client */
 
-/** Methods that answer without a server. */
-export const METHODS_HERE = ["auto", "exact"];
-
 /**
  * A client that asks nobody: what was written into the file it reads, what is computed the kernel answers.
  * @param {Contents} contents
  * @param {import("../state/loading/source.js").Answers} answers
+ * @param {string[]} methods by which these are
  * @returns {Client}
  */
-export function createFileClient(contents, answers) {
+export function createFileClient(contents, answers, methods) {
   const { texts, presets } = contents;
   const needed = async () => {
     throw new NeedsServer();
@@ -34,13 +32,14 @@ export function createFileClient(contents, answers) {
 
   return {
     collision,
+    isAnswering: async () => {},
     trace: certain(answers.trace),
     bounce: certain(answers.bounce),
     map: certain(answers.map),
     cut: certain(answers.cut),
 
     async answer(asked, { method }, signal) {
-      if (!METHODS_HERE.includes(method)) {
+      if (!methods.includes(method)) {
         return needed();
       }
       const found = await collision(asked, signal);

@@ -36,7 +36,7 @@ export function mapFigure(map, theme, size) {
       {
         name: quantity,
         type: "heatmap",
-        z: grid[quantity],
+        z: quantity === "switches" ? grid.switches.map(orMany) : grid.epsilon_t,
         x0: 0,
         dx: 1 / (grid.kappa.length - 1),
         y0: 0,
@@ -117,6 +117,19 @@ function countsAndLetters({ grid, view, muOverAlpha = 1, letters = [] }, theme, 
     },
   ];
 }
+
+/**
+ * What was not counted has more switches than could be: it takes the last colour.
+ * @param {Int32Array | Float64Array} switches
+ */
+function orMany(switches) {
+  return switches.includes(NaN)
+    ? switches.map((count) => (Number.isNaN(count) ? MANY : count))
+    : switches;
+}
+
+/** More than there is a colour of its own for. */
+const MANY = 1000;
 
 /**
  * The most switches anywhere on a map.

@@ -14,8 +14,8 @@ const MOST_EPISODES = 200;
 /** A cell of a map that switches more often is not followed: its ε_t is next to 0 there. */
 const MOST_SWITCHES_OF_A_CELL = 500;
 
-/** Cells that are computed before the clock is looked at: at most some ten milliseconds. */
-const SLICE = 1024;
+/** Collisions of a list that are computed before the clock is looked at: some milliseconds at most. */
+const SLICE = 128;
 
 /** After which the page gets its turn, in ms. */
 const LONGEST = 8;
@@ -60,53 +60,70 @@ export function createAnswers(kernel) {
   }
 
   /**
-   * A map, whose computation lets the page have its turns.
-   * @param {import("../api/queries.js").MapWish} wish
+   * The collisions of a list; its computation lets the page have its turns.
+   * @param {import("./kernel.js").List} list
    * @param {AbortSignal} [signal]
-   * @returns {Promise<import("../api/answers.js").MapGrid | null>}
    */
-  async function map(wish, signal) {
-    const { kappa, gtOverGn } = mapValues(wish);
-    const size = kappa.length * gtOverGn.length;
-    const kappas = new Float64Array(size).map((_, i) => kappa[i % kappa.length]);
-    const tangentials = new Float64Array(size).map((_, i) => gtOverGn[(i / kappa.length) | 0]);
-    const epsilonT = new Float64Array(size);
-    const switches = new Float64Array(size);
+  async function listed({ kappa, gtOverGn, muOverAlpha, damping }, signal) {
+    const epsilonT = new Float64Array(kappa.length);
+    const switches = new Float64Array(kappa.length);
     let turn = performance.now();
-    for (let begin = 0; begin < size; begin += SLICE) {
+    for (let begin = 0; begin < kappa.length; begin += SLICE) {
       if (performance.now() - turn > LONGEST) {
         await new Promise((resolve) => setTimeout(resolve));
         signal?.throwIfAborted();
         turn = performance.now();
       }
-      const found = kernel.collisions(
-        {
-          kappa: kappas.subarray(begin, begin + SLICE),
-          gtOverGn: tangentials.subarray(begin, begin + SLICE),
-          muOverAlpha: wish.muOverAlpha,
-          damping: wish.view.damping,
-        },
-        MOST_SWITCHES_OF_A_CELL,
-      );
+      const slice = {
+        kappa: kappa.subarray(begin, begin + SLICE),
+        gtOverGn: gtOverGn.subarray(begin, begin + SLICE),
+        ...{ muOverAlpha, damping },
+      };
+      const found = kernel.collisions(slice, MOST_SWITCHES_OF_A_CELL);
       if (!found) {
         return null;
       }
       epsilonT.set(found.epsilonT, begin);
       switches.set(counted(found.switches), begin);
     }
+    return { epsilonT, switches };
+  }
+
+  /**
+   * @param {import("../api/queries.js").MapWish} wish
+   * @param {AbortSignal} [signal]
+   * @returns {Promise<import("../api/answers.js").MapGrid | null>}
+   */
+  async function map(wish, signal) {
+    const { kappa, gtOverGn } = mapValues(wish);
+    const { muOverAlpha, view } = wish;
+    const columns = kappa.length;
+    const size = columns * gtOverGn.length;
+    const list = {
+      kappa: new Float64Array(size).map((_, i) => kappa[i % columns]),
+      gtOverGn: new Float64Array(size).map((_, i) => gtOverGn[Math.floor(i / columns)]),
+      ...{ muOverAlpha, damping: view.damping },
+    };
+    const found = await listed(list, signal);
     /** @param {Float64Array} cells */
     const rows = (cells) =>
-      Array.from({ length: gtOverGn.length }, (_, row) =>
-        cells.subarray(row * kappa.length, (row + 1) * kappa.length),
-      );
-    return { kappa, gt_over_gn: gtOverGn, epsilon_t: rows(epsilonT), switches: rows(switches) };
+      Array.from(gtOverGn, (_, row) => cells.subarray(row * columns, (row + 1) * columns));
+    return (
+      found && {
+        kappa,
+        gt_over_gn: gtOverGn,
+        epsilon_t: rows(found.epsilonT),
+        switches: rows(found.switches),
+      }
+    );
   }
 
   /**
    * @param {import("../api/queries.js").CutWish} wish
+   * @param {AbortSignal} [signal]
    * @returns {Promise<import("../api/answers.js").Cut | null>}
    */
-  async function cut(wish) {
+  async function cut(wish, signal) {
     const values = cutValues(wish);
     const held = new Float64Array(values.length).fill(wish.held);
     const [kappa, gtOverGn] = wish.along === "kappa" ? [values, held] : [held, values];
@@ -114,13 +131,13 @@ export function createAnswers(kernel) {
     const list = { kappa, gtOverGn, muOverAlpha, damping: view.damping };
     const first = { kappa: kappa[0], mu_over_alpha: muOverAlpha, gt_over_gn: gtOverGn[0] };
     const one = kernel.collision({ ...first, damping: view.damping });
-    const found = one && kernel.collisions(list, MOST_SWITCHES_OF_A_CELL);
+    const found = one && (await listed(list, signal));
     const laws = found && kernel.simpleLaws(list, one.epsilonN);
     return (
       laws && {
         values,
         epsilon_t: found.epsilonT,
-        switches: counted(found.switches),
+        switches: found.switches,
         coulomb: laws.coulomb,
         stiff_bound: laws.stiffBound,
         stiff_asymptote: laws.stiffAsymptote,
@@ -209,13 +226,18 @@ function unfollowed(collision, outcome) {
   const isFollowed = outcome.switches >= 0;
   return {
     ...outcomeOf(collision, outcome),
-    method: isFollowed ? /** @type {const} */ ("exact") : /** @type {const} */ ("stiff"),
+    method: isFollowed ? /** @type {const} */ ("exact") : unfollowedBy(collision),
     switches: isFollowed ? outcome.switches : null,
     switches_certain: isFollowed ? outcome.isCertain : null,
     reversals: null,
     first_episode_share: null,
     episodes: [],
   };
+}
+
+/** Whose law stands in, by its name. @param {Collision} collision @returns {"stiff" | "coulomb"} */
+function unfollowedBy({ damping }) {
+  return damping > 0 ? "coulomb" : "stiff";
 }
 
 /** Switches that were counted. @param {Int32Array} switches */

@@ -42,10 +42,12 @@ export function mountAccuracyControl(element, onChange) {
     /**
      * Where a method does not answer, the exact result stands in.
      * @param {string} method that does not answer the present collision, if so
+     * @param {boolean} isAlone whether there is no server
      */
-    tell(method) {
+    tell(method, isAlone) {
       const isHere = method === "" || isMethodHere(method);
-      const reason = isHere ? `accuracy.refusals.${method}` : "oneFile.needed";
+      const nobody = isHere ? "accuracy.away" : "oneFile.needed";
+      const reason = method && isAlone ? nobody : `accuracy.refusals.${method}`;
       typeset(refusal, isSaid(reason) ? say(reason) : "");
     },
 

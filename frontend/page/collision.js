@@ -60,7 +60,7 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
     settle(answer, { accuracy, change }, isPresent) {
       loaded = answer;
       strip.show(answer, change.dragging, isPresent);
-      accuracyControl.tell(answer.isOffered ? "" : accuracy.method);
+      accuracyControl.tell(answer.isOffered ? "" : accuracy.method, answer.isAlone);
     },
 
     /** @type {import("../scenes/scene.js").Scene["pictures"]} */

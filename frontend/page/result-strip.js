@@ -87,6 +87,7 @@ export function mountResultStrip(element) {
       write(epsilonN, significant(result.epsilon_n));
       figures.toggleAttribute("data-damped", result.parameters.damping > 0);
       typeset(summary, sentence);
+      provenance.title = result.milliseconds === null ? say("result.computedHere") : "";
       write(
         provenance,
         `${titleOf(METHODS, result.method)} ${errorBound(result.error_bound)} · ${took(result)}`,
@@ -97,7 +98,7 @@ export function mountResultStrip(element) {
 
 /** Who has computed, or how long the server took for it. @param {Answered["result"]} result */
 function took({ milliseconds }) {
-  return milliseconds === null ? say("result.inThisPage") : duration(milliseconds);
+  return milliseconds === null ? say("result.here") : duration(milliseconds);
 }
 
 /** @param {number | null} value */

@@ -162,6 +162,9 @@ export function nearestNotch({ notches }, value) {
   return distances.indexOf(Math.min(...distances));
 }
 
+/** Methods that the kernel in the page answers by as well: both are exact. */
+export const METHODS_BY_KERNEL = ["auto", "exact"];
+
 let methodsHere = METHODS.map(({ id }) => id);
 
 /** Takes the methods that there are without a server. @param {string[]} methods */

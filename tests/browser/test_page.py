@@ -214,7 +214,7 @@ def test_without_its_server_the_page_computes_collisions_itself(tab: Page, serve
     rest(tab)
     tab.route("**/api/**", lambda route: route.abort())
     tab.get_by_test_id("kappa-slider").press("ArrowRight")
-    expect(tab.get_by_test_id("banner")).to_contain_text("in this page meanwhile")
+    expect(tab.get_by_test_id("banner")).to_contain_text("this page computes collisions by itself")
 
     def is_right() -> None:
         assert agrees(tab, server)
@@ -222,11 +222,18 @@ def test_without_its_server_the_page_computes_collisions_itself(tab: Page, serve
     for name, key in (("mu-over-alpha", "ArrowLeft"), ("damping", "PageUp")):
         tab.get_by_test_id(f"{name}-slider").press(key)
         eventually(is_right, tab)
-        assert text(tab, "provenance").endswith("in this page")
+        assert text(tab, "provenance").endswith("here")
+    # another method has nobody who answers by it
+    tab.get_by_test_id("method").select_option("timestep")
+    expect(tab.get_by_test_id("accuracy-refusal")).to_contain_text("The server is away")
+    language = tab.get_by_test_id("language")
+    language.select_option("de")
+    expect(language).not_to_have_value("de")
+    assert "lang=de" not in tab.url
     tab.unroute_all()
     expect(tab.get_by_test_id("banner")).to_be_empty()
     settle(tab, server)
-    assert not text(tab, "provenance").endswith("in this page")
+    assert not text(tab, "provenance").endswith("here")
 
 
 @pytest.mark.verify

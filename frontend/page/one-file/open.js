@@ -1,7 +1,8 @@
 // @ts-check
 
-import { createFileClient, kernelOf, METHODS_HERE } from "../../api/file-client.js";
-import { keepMethods } from "../../state/accuracy.js";
+import { createFileClient, kernelOf } from "../../api/file-client.js";
+import { keepMethods, METHODS_BY_KERNEL } from "../../state/accuracy.js";
+import { serverAlone } from "../../state/loading/collision-load.js";
 import { find } from "../../widgets/find.js";
 import { afterNextFrame } from "../../widgets/painted.js";
 import { answersBy } from "../kernel.js";
@@ -25,11 +26,13 @@ const SERVED = ["spheres", "accuracy", "paper"];
  */
 export async function openFile(contents, search) {
   const answers = await answersBy(kernelOf(contents));
-  keepMethods(METHODS_HERE);
+  keepMethods(METHODS_BY_KERNEL);
   afterNextFrame(() => idle(runPlotly, { timeout: PAUSE }));
+  const client = createFileClient(contents, answers, METHODS_BY_KERNEL);
   return {
     words: wordsOfFile(contents, search),
-    client: createFileClient(contents, answers),
+    client,
+    source: { ...serverAlone(client), isNear: () => true },
     server: contents.server,
     standIns: Object.fromEntries(SERVED.map((id) => [id, () => standIn(id)])),
   };

@@ -70,7 +70,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
 
   const maps = createFollower({
     load: (wish, signal) => source.of(isQuickMap(wish)).map(wish, signal),
-    isNear: (wish) => source.isNear(isQuickMap(wish)),
+    isUrgent: (wish) => isQuickMap(wish) && source.isNear(true),
     isEnough: isEnoughMap,
     onAnswer(grid, wish) {
       shownMap = { grid, ...wish };
@@ -88,7 +88,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
 
   const cuts = createFollower({
     load: (wish, signal) => source.of(isQuickCut(wish)).cut(wish, signal),
-    isNear: (wish) => source.isNear(isQuickCut(wish)),
+    isUrgent: (wish) => isQuickCut(wish) && source.isNear(true),
     isEnough: isEnoughCut,
     onAnswer(loaded, { count, ...wish }) {
       shownCut = { cut: loaded, ...wish };
@@ -101,7 +101,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
 
   const balls = createFollower({
     load: createBallLoad(source),
-    isNear: ({ dragging }) => source.isNear(dragging),
+    isUrgent: ({ dragging }) => dragging && source.isNear(true),
     isEnough: isEnoughBall,
     onAnswer: bounce.showBall,
     onError(error) {

@@ -1,7 +1,7 @@
 // @ts-check
 
 import { say, spokenLanguage } from "../../format/words.js";
-import { isMethodHere, USUAL_ACCURACY } from "../../state/accuracy.js";
+import { USUAL_ACCURACY } from "../../state/accuracy.js";
 import { stepOf, STEPS, textsOf } from "../../state/lesson.js";
 import { writeAddress } from "../../state/address/writing.js";
 import { make, setOrRemove, told } from "../../widgets/elements.js";
@@ -234,9 +234,9 @@ export function mountOpenLesson(element, handoutElement, { set }, { record, pred
      * @param {import("../../state/loading/collision-load.js").LoadedCollision} answer of the present collision
      * @param {boolean} dragging
      */
-    settle({ result, trace }, dragging) {
+    settle({ result, trace, isOffered }, dragging) {
       // Where nobody answers by the chosen method, what stands in is no answer to the question.
-      if (present?.scene === "lesson" && trace && isMethodHere(present.accuracy.method)) {
+      if (present?.scene === "lesson" && trace && isOffered) {
         const seen = { state: present, exact: trace, shown: result };
         const step = stepOf(present.step);
         predictions.note(step, seen);

@@ -1,7 +1,13 @@
 // @ts-check
 
 import { sentenceOf } from "../../format/sentence.js";
-import { accuracyQuery, canAnswer, sameAccuracy, USUAL_ACCURACY } from "../accuracy.js";
+import {
+  accuracyQuery,
+  canAnswer,
+  METHODS_BY_KERNEL,
+  sameAccuracy,
+  USUAL_ACCURACY,
+} from "../accuracy.js";
 import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "../drawable.js";
 
 /**
@@ -24,7 +30,8 @@ import { mayBeTooStiffToDraw, MOST_SWITCHES_DRAWN, whyNotDrawn } from "../drawab
  * @property {string} sentence about the collision, as it is exactly
  * @property {Trace | null} trace exact
  * @property {string} reason why there is none, where one was wanted
- * @property {boolean} isOffered whether the chosen method answers this collision
+ * @property {boolean} isOffered whether the chosen method has answered, or else the exact one stands in
+ * @property {boolean} isAlone whether there was no server to ask
  */
 
 /**
@@ -83,18 +90,22 @@ export function createCollisionLoad(source) {
    */
   return async function load({ collision, accuracy, change, isPictured }, signal) {
     const server = source.of(change.dragging);
+    const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY);
     // Who is alone with the kernel has the exact collision and no other method.
-    const isUsual = sameAccuracy(accuracy, USUAL_ACCURACY) || source.isNear(false);
-    const isOffered = canAnswer(accuracy.method, collision);
+    const isAlone = source.isNear(false);
+    const isKnown = !isAlone || METHODS_BY_KERNEL.includes(accuracy.method);
+    const isOffered = isKnown && canAnswer(accuracy.method, collision);
     const [exactly, answer] = await Promise.all([
       (isPictured ? loadPictured : loadAlone)(server, collision, signal),
-      isUsual || !isOffered ? null : server.answer(collision, accuracyQuery(accuracy), signal),
+      isUsual || isAlone || !isOffered
+        ? null
+        : server.answer(collision, accuracyQuery(accuracy), signal),
     ]);
     if (!source.isNear(change.dragging)) {
       source.compare(exactly.result);
     }
     const sentence = sentenceOf(exactly.result);
-    return { ...exactly, sentence, result: { ...exactly.result, ...answer }, isOffered };
+    return { ...exactly, sentence, result: { ...exactly.result, ...answer }, isOffered, isAlone };
   };
 }
 

@@ -12,7 +12,7 @@
  * @param {(error: unknown, wish: Wish) => void} options.onError
  * @param {number} [options.patience] in ms
  * @param {number} [options.pause] in ms, the least between two starts
- * @param {(wish: Wish) => boolean} [options.isNear] whether it is answered without a wire: what is asked by wire is given up for that
+ * @param {(wish: Wish) => boolean} [options.isUrgent] whether what is under way is given up for it, unless that is urgent, too
  */
 export function createLatest({
   load,
@@ -20,9 +20,9 @@ export function createLatest({
   onError,
   patience = 2000,
   pause = 0,
-  isNear = () => false,
+  isUrgent = () => false,
 }) {
-  /** @type {{controller: AbortController, startedAt: number, isNear: boolean} | null} */
+  /** @type {{controller: AbortController, startedAt: number, isUrgent: boolean} | null} */
   let underWay = null;
   /** @type {{wish: Wish} | null} */
   let next = null;
@@ -35,7 +35,7 @@ export function createLatest({
     const mine = {
       controller: new AbortController(),
       startedAt: performance.now(),
-      isNear: isNear(wish),
+      isUrgent: isUrgent(wish),
     };
     underWay = mine;
     earliest = mine.startedAt + pause;
@@ -75,7 +75,7 @@ export function createLatest({
     /** @param {Wish} wish */
     request(wish) {
       next = { wish };
-      const isOvertaken = underWay && !underWay.isNear && isNear(wish);
+      const isOvertaken = underWay && !underWay.isUrgent && isUrgent(wish);
       if (underWay && (isOvertaken || performance.now() - underWay.startedAt > patience)) {
         underWay.controller.abort();
         underWay = null;

@@ -99,3 +99,28 @@ test("createLatest keeps its pause between two starts", async (context) => {
     [1, 3],
   );
 });
+
+test("what is urgent overtakes what is not, and waits for what is", async () => {
+  const begun = [];
+  const answered = [];
+  const waiting = [];
+  const latest = createLatest({
+    load(wish, signal) {
+      begun.push(wish);
+      return new Promise((resolve) => waiting.push({ resolve: () => resolve(wish), signal }));
+    },
+    onAnswer: (answer) => answered.push(answer),
+    onError: assert.fail,
+    isUrgent: (wish) => wish.startsWith("drag"),
+  });
+  latest.request("rest");
+  latest.request("drag 1");
+  latest.request("drag 2");
+  assert.deepEqual(begun, ["rest", "drag 1"]);
+  assert.ok(waiting[0].signal.aborted && !waiting[1].signal.aborted);
+  waiting[0].resolve();
+  waiting[1].resolve();
+  await new Promise((resolve) => setTimeout(resolve));
+  assert.deepEqual(begun, ["rest", "drag 1", "drag 2"]);
+  assert.deepEqual(answered, ["drag 1"]);
+});

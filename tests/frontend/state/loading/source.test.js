@@ -46,13 +46,21 @@ test("what the kernel does not answer is asked of the server", async () => {
   assert.equal((await source.of(true).trace(COLLISION)).by, "server");
 });
 
-test("while the server is away the kernel answers all, exactly and by no other method", async () => {
+test("while the server is away the kernel stands in for other methods, which is told", async () => {
   const { source } = sourceOf(said("kernel"), () => true);
-  const { result } = await createCollisionLoad(source)(
-    wish(false, { ...USUAL_ACCURACY, method: "timestep" }),
-  );
-  assert.equal(result.by, "kernel");
-  assert.equal(result.method, undefined);
+  const load = createCollisionLoad(source);
+  for (const [method, isOffered] of [
+    ["timestep", false],
+    ["exact", true],
+  ]) {
+    const answer = await load(wish(false, { ...USUAL_ACCURACY, method }));
+    assert.equal(answer.result.by, "kernel");
+    assert.equal(answer.isOffered, isOffered);
+    assert.equal(answer.isAlone, true);
+  }
+  const served = createCollisionLoad(serverAlone(SERVER));
+  const answer = await served(wish(false, { ...USUAL_ACCURACY, method: "timestep" }));
+  assert.deepEqual([answer.result.method, answer.isOffered], ["timestep", true]);
 });
 
 test("a kernel that differs from the server beyond both bounds is told of once", async () => {
