@@ -350,7 +350,7 @@ class _Files(StaticFiles):
             response = super().file_response(full_path, stat_result, scope, status_code)
         response.headers["Cache-Control"] = KEPT if kept else "no-cache"
         response.headers["Vary"] = "Accept-Encoding"
-        # the tag says it all, and a hundred headers are some kilobytes
-        for name in ("Last-Modified", "Accept-Ranges"):
+        # the tag says it all, or the address, and a hundred headers are some kilobytes
+        for name in ("Last-Modified", "Accept-Ranges", *(("ETag",) if kept else ())):
             del response.headers[name]
         return response
