@@ -29,13 +29,15 @@ OPTIONS = {
 
 # The pixels of the first line of a trace's SVG group, and where the plot's axes put its numbers.
 DRAWN_LINES = """plot => {
-  const {xaxis, yaxis} = plot._fullLayout;
+  // where the axes are shown to end: a drag moves their ticks by hand
+  const {xaxis: {range: [left, right]}, yaxis: {range: [bottom, top]}} = plot.layout;
+  const {xaxis: {_length: width}, yaxis: {_length: height}} = plot._fullLayout;
   const groups = plot.querySelectorAll(".scatterlayer > .trace");
   const traces = plot.data.filter((trace) => trace.type !== "bar" && trace.type !== "heatmap");
   return traces.flatMap((trace, i) => trace.mode !== "lines" ? [] : [{
     path: groups[i]?.querySelector(".js-line")?.getAttribute("d") ?? "",
-    x: [...trace.x].map((x) => xaxis.l2p(x)),
-    y: [...trace.y].map((y) => yaxis.l2p(y)),
+    x: [...trace.x].map((x) => (width * (x - left)) / (right - left)),
+    y: [...trace.y].map((y) => (height * (top - y)) / (top - bottom)),
   }]);
 }"""
 

@@ -54,8 +54,8 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
     const isQuick =
       quickly && there !== null && quickDraw(element, there.drawn, there.moved, figure);
     if (isQuick) {
-      // As after Plotly's own drawing, the element holds the data of what it shows.
-      Object.assign(element, { data: figure.data });
+      // As after Plotly's own drawing, the element holds what it shows.
+      Object.assign(element, { data: figure.data, layout: figure.layout });
     } else {
       Plotly.react(element, figure.data, figure.layout, { ...CONFIG, ...config });
       if (onPoint && !there) {
