@@ -64,7 +64,7 @@ const connection = createConnection({
     loadAll();
   },
 });
-const source = file ? file.source : serverAlone(client);
+const source = file?.source ?? serverAlone(client);
 const explainBy = createExplanation(connection.reportLost);
 /** What a frame lets through of a change. @type {typeof import("./page/embedding/frame.js").unlocked} */
 let unlocked = (patch) => patch;
@@ -79,7 +79,7 @@ const setters = {
   setAccuracy: (patch, change) => store.set(withAccuracy(store.get(), patch), change),
 };
 const shell = mountShell({ present: store.get, onOption: store.set });
-const collision = mountCollision(setters);
+const collision = mountCollision(setters, file ? "oneFile.needed" : "accuracy.away");
 const face = mountFace(store.set);
 const undo = mountUndo({ present: store.get, set: store.set });
 const firstHint = mountFirstHint();

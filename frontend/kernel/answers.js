@@ -84,9 +84,9 @@ export function createAnswers(kernel) {
         return null;
       }
       epsilonT.set(found.epsilonT, begin);
-      switches.set(counted(found.switches), begin);
+      switches.set(found.switches, begin);
     }
-    return { epsilonT, switches };
+    return { epsilonT, switches: switches.map(counted) };
   }
 
   /**
@@ -240,9 +240,7 @@ function unfollowedBy({ damping }) {
   return damping > 0 ? "coulomb" : "stiff";
 }
 
-/** Switches that were counted. @param {Int32Array} switches */
+/** NaN where a collision was not followed. @param {number} switches */
 function counted(switches) {
-  return switches.includes(-1)
-    ? Float64Array.from(switches, (count) => (count < 0 ? NaN : count))
-    : switches;
+  return switches < 0 ? NaN : switches;
 }

@@ -2,7 +2,7 @@
 
 import { brief, powerOfTen } from "../format/number.js";
 import { isSaid, say } from "../format/words.js";
-import { isMethodHere, knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
+import { knobOf, METHODS, nearestNotch, sameAccuracy } from "../state/accuracy.js";
 import { byTestId, find } from "../widgets/find.js";
 import { typeset } from "../widgets/typeset.js";
 
@@ -41,13 +41,9 @@ export function mountAccuracyControl(element, onChange) {
   return {
     /**
      * Where a method does not answer, the exact result stands in.
-     * @param {string} method that does not answer the present collision, if so
-     * @param {boolean} isAlone whether there is no server
+     * @param {string} reason for that by its key, none where the method answers
      */
-    tell(method, isAlone) {
-      const isHere = method === "" || isMethodHere(method);
-      const nobody = isHere ? "accuracy.away" : "oneFile.needed";
-      const reason = method && isAlone ? nobody : `accuracy.refusals.${method}`;
+    tell(reason) {
       typeset(refusal, isSaid(reason) ? say(reason) : "");
     },
 

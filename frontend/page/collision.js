@@ -16,8 +16,9 @@ import { mountResultStrip, resultTable } from "./result-strip.js";
 /**
  * What the scenes share: the collision, to be set by its parameters or a preset, and its result.
  * @param {Pick<import("../scenes/scene.js").Page, "present" | "set" | "setCollision" | "setAccuracy">} page
+ * @param {string} alone the key of what is said where a method would need the server that is not there
  */
-export function mountCollision({ present, set, setCollision, setAccuracy }) {
+export function mountCollision({ present, set, setCollision, setAccuracy }, alone) {
   const strip = mountResultStrip(byTestId("result"));
   const accuracyControl = mountAccuracyControl(byTestId("accuracy"), setAccuracy);
   const presets = mountPresets(byTestId("presets"), ({ link, alpha }, inputTimeStamp) => {
@@ -60,7 +61,8 @@ export function mountCollision({ present, set, setCollision, setAccuracy }) {
     settle(answer, { accuracy, change }, isPresent) {
       loaded = answer;
       strip.show(answer, change.dragging, isPresent);
-      accuracyControl.tell(answer.isOffered ? "" : accuracy.method, answer.isAlone);
+      const refusal = answer.isAlone ? alone : `accuracy.refusals.${accuracy.method}`;
+      accuracyControl.tell(answer.isOffered ? "" : refusal);
     },
 
     /** @type {import("../scenes/scene.js").Scene["pictures"]} */

@@ -165,16 +165,6 @@ export function nearestNotch({ notches }, value) {
 /** Methods that the kernel in the page answers by as well: both are exact. */
 export const METHODS_BY_KERNEL = ["auto", "exact"];
 
-let methodsHere = METHODS.map(({ id }) => id);
-
-/** Takes the methods that there are without a server. @param {string[]} methods */
-export function keepMethods(methods) {
-  methodsHere = methods;
-}
-
-/** Whether there is somebody to answer by a method. @param {string} method */
-export const isMethodHere = (method) => methodsHere.includes(method);
-
 /**
  * Whether a method answers a collision at all: a request that is refused leaves its mark in the
  * browser's console.
@@ -183,9 +173,6 @@ export const isMethodHere = (method) => methodsHere.includes(method);
  */
 export function canAnswer(method, { kappa, mu_over_alpha, gt_over_gn, damping }) {
   const psi = gt_over_gn / mu_over_alpha;
-  if (!isMethodHere(method)) {
-    return false;
-  }
   switch (method) {
     case "stiff":
       return damping === 0;

@@ -1,26 +1,19 @@
-// Opens the page as one file in Debian's Firefox, which Playwright does not drive; prints what it saw as
-// JSON. Arguments: the program, the address of the file, the options of each state to be seen.
+// Opens the page as one file in Debian's Firefox; prints what it saw as JSON. Arguments: the program, the
+// address of the file, the options of each state to be seen.
 
 import process from "node:process";
-import puppeteer from "puppeteer-core";
+
+import { launched, pageOf } from "./driven.js";
 
 const [, , executablePath, address, ...states] = process.argv;
-const LIMIT = 300_000;
 
-const browser = await puppeteer.launch({
-  browser: "firefox",
-  executablePath,
-  protocolTimeout: LIMIT,
-});
+const browser = await launched("firefox", executablePath);
 /** @type {string[]} */
 const words = [];
 /** @type {string[]} */
 const asked = [];
-const page = await browser.newPage();
-page.setDefaultTimeout(LIMIT);
+const page = await pageOf(browser, words);
 await page.setViewport({ width: 1280, height: 720 });
-page.on("console", (message) => words.push(message.text()));
-page.on("pageerror", (error) => words.push(String(error)));
 page.on("request", (request) => asked.push(request.url()));
 
 /** Wait until all is drawn: Plotly comes last, and what the scene is about is told. */

@@ -1,8 +1,8 @@
-// Drives Debian's Firefox over WebDriver BiDi, which Playwright does not speak to it; prints what it
-// saw as JSON. Arguments: the program, the address of the page.
+// Drives Debian's Firefox; prints what it saw as JSON. Arguments: the program, the address of the page.
 
 import process from "node:process";
-import puppeteer from "puppeteer-core";
+
+import { launched, pageOf } from "./driven.js";
 
 const [, , executablePath, base] = process.argv;
 const PATHS = [
@@ -17,25 +17,17 @@ const PATHS = [
 ];
 /** What is told of a page: the text of ε_t, where it has come to. */
 const TOLD = `() => document.querySelector('[data-testid="epsilon-t"]')?.textContent ?? ""`;
-const LIMIT = 300_000;
 
-const browser = await puppeteer.launch({
-  browser: "firefox",
-  executablePath,
-  protocolTimeout: LIMIT,
-});
+const browser = await launched("firefox", executablePath);
 /** @type {string[]} */
 const words = [];
 /** @type {string[]} */
 const failed = [];
 
 /** @param {{width: number, height: number}} size */
-async function pageOf(size) {
-  const page = await browser.newPage();
-  page.setDefaultTimeout(LIMIT);
+async function pageIn(size) {
+  const page = await pageOf(browser, words);
   await page.setViewport(size);
-  page.on("console", (message) => words.push(message.text()));
-  page.on("pageerror", (error) => words.push(String(error)));
   page.on(
     "response",
     (answer) => answer.status() < 400 || failed.push(`${answer.status()} ${answer.url()}`),
@@ -59,7 +51,7 @@ async function settled(page) {
   );
 }
 
-const page = await pageOf({ width: 1280, height: 720 });
+const page = await pageIn({ width: 1280, height: 720 });
 const seen = [];
 for (const path of PATHS) {
   await page.goto(base + path);
@@ -86,7 +78,7 @@ await page.mouse.up();
 await settled(page);
 const dragged = { address: page.url(), told: await page.evaluate(`(${TOLD})()`) };
 
-const phone = await pageOf({ width: 390, height: 844 });
+const phone = await pageIn({ width: 390, height: 844 });
 await phone.goto(base);
 await settled(phone);
 const wideOnPhone = await phone.evaluate("document.documentElement.scrollWidth - innerWidth");

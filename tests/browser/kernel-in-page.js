@@ -1,24 +1,17 @@
 // What the kernel of a real page answers, under the policy that its server sends: to each line of
-// standard input, calls as JSON, a line. Puppeteer drives both browsers, Playwright no Firefox of
-// Debian's. Arguments: "chrome" or "firefox", the program, the address, the program's arguments.
+// standard input, calls as JSON, a line. Arguments: "chrome" or "firefox", the program, the address, the
+// program's arguments.
 
 import process from "node:process";
 import { createInterface } from "node:readline";
-import puppeteer from "puppeteer-core";
 
 import { answered } from "../frontend/kernel/answered.js";
+import { launched, pageOf } from "./driven.js";
 
 const [, , kind, executablePath, address, ...args] = process.argv;
-const LIMIT = 300_000;
 
-const browser = await puppeteer.launch({
-  browser: kind,
-  executablePath,
-  args,
-  protocolTimeout: LIMIT,
-});
-const page = await browser.newPage();
-page.setDefaultTimeout(LIMIT);
+const browser = await launched(kind, executablePath, args);
+const page = await pageOf(browser);
 const response = await page.goto(address);
 const policy = response?.headers()["content-security-policy"] ?? "";
 if (!policy.includes("script-src 'self' 'wasm-unsafe-eval';")) {

@@ -19,13 +19,14 @@ from restitution.api.page import (
     USUAL_LANGUAGE,
     State,
     assembled,
-    entity_tag,
+    json_in_script,
+    languages_of,
     locales,
     pack,
     state_of,
+    tagged,
     texts_of,
 )
-from restitution.api.transport import known_tag
 from restitution.studies.collision.presets import PRESETS
 from restitution.wire.formats import as_json
 
@@ -66,9 +67,9 @@ def one_file(directory: Path) -> str:
     parts = {
         '<meta charset="utf-8" />': '<meta charset="utf-8" />\n'
         f'    <meta http-equiv="Content-Security-Policy" content="{POLICY}" />',
-        "<!-- words -->": _script("application/json", _json(_contents(directory)), "file"),
+        "<!-- words -->": _script("application/json", json_in_script(_contents(directory)), "file"),
         "<!-- modules -->": _script(
-            "importmap", _json({"imports": _modules(directory)}), "modules"
+            "importmap", json_in_script({"imports": _modules(directory)}), "modules"
         ),
         MAIN: '<script type="module" blocking="render">import "main.js";</script>',
         PLOTLY_SCRIPT: _script("text/plain", _unended(PLOTLY.read_text("utf-8")), "plotly"),
@@ -115,12 +116,9 @@ def add_one_file(app: FastAPI, directory: Path) -> None:
             "Content-Type": HTML,
             "Content-Disposition": f'attachment; filename="{NAME}"',
             "Cache-Control": "no-cache",
-            "ETag": (tag := entity_tag(body)),
             **({"Content-Encoding": encoding, "Vary": "Accept-Encoding"} if encoding else {}),
         }
-        if known := known_tag(tag, request.headers.get("if-none-match", "")):
-            return Response(None, 304, headers | {"ETag": known})
-        return Response(body, headers=headers)
+        return tagged(request, body, headers)
 
 
 def _contents(directory: Path) -> dict[str, Any]:
@@ -129,7 +127,7 @@ def _contents(directory: Path) -> dict[str, Any]:
     kernel = (directory / "kernel" / "kernel.wasm").read_bytes()
     return {
         "language": USUAL_LANGUAGE,
-        "languages": [{"id": name, "name": own["name"]} for name, own in words.items()],
+        "languages": languages_of(words),
         "texts": {
             name: {
                 "first": texts_of(words, name, later=False),
@@ -205,8 +203,3 @@ def _unended(text: str) -> str:
     """Return a script that stands in a page as it is."""
     assert not re.search("</script|<!--", text, re.IGNORECASE)
     return text
-
-
-def _json(value: dict[str, Any]) -> str:
-    """Return JSON that no script ends in."""
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")

@@ -126,10 +126,15 @@ def _made(request: Request, text: str, headers: dict[str, str]) -> Response:
     if "br" in request.headers.get("accept-encoding", ""):
         body = _packed(text)
         headers["Content-Encoding"] = "br"
-    headers["ETag"] = tag = entity_tag(body)
+    return tagged(request, body, headers)
+
+
+def tagged(request: Request, body: bytes, headers: dict[str, str]) -> Response:
+    """Answer with a body under its entity tag, or that the client has it."""
+    tag = entity_tag(body)
     if known := known_tag(tag, request.headers.get("if-none-match", "")):
         return Response(None, 304, headers | {"ETag": known})
-    return Response(body, headers=headers)
+    return Response(body, headers=headers | {"ETag": tag})
 
 
 USUAL_LANGUAGE = "en"
@@ -227,11 +232,15 @@ def _words(locales: dict[str, dict[str, Any]], language: str) -> str:
     """Return the words of the first view as data."""
     words = {
         "language": language,
-        "languages": [{"id": name, "name": own["name"]} for name, own in locales.items()],
+        "languages": languages_of(locales),
         "texts": texts_of(locales, language, later=False),
     }
-    text = _json(words).replace("<", "\\u003c")
-    return f'<script type="application/json" id="words">{text}</script>'
+    return f'<script type="application/json" id="words">{json_in_script(words)}</script>'
+
+
+def languages_of(locales: dict[str, dict[str, Any]]) -> list[dict[str, str]]:
+    """Return the languages, each with its own name for itself."""
+    return [{"id": name, "name": own["name"]} for name, own in locales.items()]
 
 
 def texts_of(locales: dict[str, dict[str, Any]], language: str, *, later: bool) -> dict[str, Any]:
@@ -241,6 +250,11 @@ def texts_of(locales: dict[str, dict[str, Any]], language: str, *, later: bool) 
     """
     texts = _over(locales.get(USUAL_LANGUAGE, {}), locales.get(language, {}))
     return {name: text for name, text in texts.items() if (name in LATER) is later}
+
+
+def json_in_script(value: dict[str, Any]) -> str:
+    """Return JSON that no script ends in."""
+    return _json(value).replace("<", "\\u003c")
 
 
 def _json(value: dict[str, Any]) -> str:

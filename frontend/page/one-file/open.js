@@ -1,7 +1,7 @@
 // @ts-check
 
 import { createFileClient, kernelOf } from "../../api/file-client.js";
-import { keepMethods, METHODS_BY_KERNEL } from "../../state/accuracy.js";
+import { METHODS_BY_KERNEL } from "../../state/accuracy.js";
 import { serverAlone } from "../../state/loading/collision-load.js";
 import { find } from "../../widgets/find.js";
 import { afterNextFrame } from "../../widgets/painted.js";
@@ -26,7 +26,6 @@ const SERVED = ["spheres", "accuracy", "paper"];
  */
 export async function openFile(contents, search) {
   const answers = await answersBy(kernelOf(contents));
-  keepMethods(METHODS_BY_KERNEL);
   afterNextFrame(() => idle(runPlotly, { timeout: PAUSE }));
   const client = createFileClient(contents, answers, METHODS_BY_KERNEL);
   return {
