@@ -156,7 +156,7 @@ function between(colors, share) {
   return `#${mixed.map((value) => value.toString(16).padStart(2, "0")).join("")}`;
 }
 
-/** @param {string} color */
-function channels(color) {
+/** Red, green and blue, 0 … 255. @param {string} color as #rrggbb */
+export function channels(color) {
   return [1, 3, 5].map((at) => Number.parseInt(color.slice(at, at + 2), 16));
 }

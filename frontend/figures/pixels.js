@@ -87,16 +87,20 @@ function frameOf({ width, height, margin, font, xaxis, yaxis }) {
   return JSON.stringify([width, height, margin, font, axes]);
 }
 
-const MOVABLE = ["x", "y", "width", "base", "text"];
+/** What of a trace moves with its marks, by its type. @type {Record<string, string[]>} */
+const MOVABLE = {
+  scatter: ["x", "y", "text"],
+  // which differ in nothing else than their colours
+  bar: ["x", "y", "width", "base", "text", "marker"],
+  heatmap: ["z", "x0", "dx", "y0", "dy", "zmin", "zmax", "colorscale"],
+};
 
 /**
- * What of a trace does not come and go with its marks: all but their places, their texts, and for
- * bars, which differ in nothing else, their colours.
+ * What of a trace does not come and go with its marks: all but their places, texts and values.
  * @param {Record<string, any>} trace
  */
 function looksOf(trace) {
-  const fixed = Object.entries(trace).filter(
-    ([key]) => !MOVABLE.includes(key) && !(trace.type === "bar" && key === "marker"),
-  );
+  const movable = MOVABLE[trace.type ?? "scatter"] ?? [];
+  const fixed = Object.entries(trace).filter(([key]) => !movable.includes(key));
   return JSON.stringify([fixed, "text" in trace]);
 }

@@ -42,9 +42,7 @@ export function mountResultStrip(element) {
    * @param {(value: number) => string} inDigits
    */
   function showMain(result, inDigits) {
-    const text = inDigits(result.epsilon_t);
-    write(epsilon, text);
-    epsilon.toggleAttribute("data-long", text.includes("×"));
+    writeFigure(epsilon, inDigits(result.epsilon_t));
     write(switches, count(result.switches));
     const { x, beyond } = placeWithin((result.epsilon_t + 1) / 2, 0);
     mark.style.setProperty("--place", String(x));
@@ -82,9 +80,9 @@ export function mountResultStrip(element) {
       epsilon.title = say("result.convention");
       write(reversals, count(result.reversals));
       write(energyLost, percentage(lostShare(result)));
-      write(contactDuration, significant(result.contact_duration));
-      write(psi, significant(result.parameters.psi ?? Infinity));
-      write(epsilonN, significant(result.epsilon_n));
+      writeFigure(contactDuration, significant(result.contact_duration));
+      writeFigure(psi, significant(result.parameters.psi ?? Infinity));
+      writeFigure(epsilonN, significant(result.epsilon_n));
       figures.toggleAttribute("data-damped", result.parameters.damping > 0);
       typeset(summary, sentence);
       provenance.title = result.milliseconds === null ? say("result.computedHere") : "";
@@ -94,6 +92,12 @@ export function mountResultStrip(element) {
       );
     },
   };
+}
+
+/** A number in its room, into which one with a power of ten goes smaller. @param {HTMLElement} element @param {string} text */
+function writeFigure(element, text) {
+  write(element, text);
+  element.toggleAttribute("data-long", text.includes("×"));
 }
 
 /** Who has computed, or how long the server took for it. @param {Answered["result"]} result */

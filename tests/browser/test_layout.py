@@ -25,8 +25,8 @@ LONGEST = {
     "reversals": "49988",
     "energy-lost": ">\u202f99.9\u202f%",
     "contact-duration": "3.218",
-    "psi": "0.9700",
-    "epsilon-n": "0.0268",
+    "psi": "4.188\u202f×\u202f10⁻³⁰⁰",
+    "epsilon-n": "8.888\u202f×\u202f10⁻¹⁶",
 }
 
 STATES = {
@@ -78,9 +78,10 @@ LATE = """([name, width]) => {
 
 WRITE = """(texts) => {
   for (const [name, text] of Object.entries(texts)) {
-    document.querySelector(`[data-testid=${name}]`).textContent = text;
+    const place = document.querySelector(`[data-testid=${name}]`);
+    place.textContent = text;
+    place.toggleAttribute("data-long", text.includes("×"));
   }
-  document.querySelector("[data-testid=epsilon-t]").toggleAttribute("data-long", true);
 }"""
 
 FAULTS = Path(__file__).with_name("faults.js").read_text(encoding="utf-8")

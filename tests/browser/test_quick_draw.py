@@ -1,5 +1,9 @@
 """What a drag moves by hand lies where Plotly draws it afterwards."""
 
+from collections.abc import Iterator
+from itertools import chain
+
+import numpy as np
 import pytest
 from explorer import COUNT_DRAWINGS, settle, visit
 from playwright.sync_api import Page
@@ -86,3 +90,91 @@ def test_marks_moved_while_dragging_are_those_that_plotly_draws(
                 assert moved == pytest.approx(wanted, abs=PIXELS), kind
     # An axis that changes is Plotly's to draw, but that is the exception.
     assert moved_by_hand > 0
+
+
+BOTH = """async (plot) => {
+  const read = READ;
+  const other = document.body.appendChild(document.createElement("div"));
+  await Plotly.newPlot(other, structuredClone(plot.data), plot.layout, {staticPlot: true});
+  const both = [await read(plot), await read(other)];
+  Plotly.purge(other);
+  other.remove();
+  return both;
+}"""
+
+IMAGE = """async (plot) => {
+  const image = plot.querySelector(".heatmaplayer image");
+  const {x, y, width, height, style} = image;
+  const decoded = new Image();
+  decoded.src = image.href.baseVal;
+  await decoded.decode();
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [decoded.naturalWidth, decoded.naturalHeight];
+  const context = canvas.getContext("2d");
+  context.drawImage(decoded, 0, 0);
+  return {
+    place: [x, y, width, height].map(({baseVal}) => baseVal.value),
+    size: [canvas.width, canvas.height],
+    pixels: [...context.getImageData(0, 0, canvas.width, canvas.height).data],
+  };
+}"""
+
+
+def both(page: Page, name: str, read: str) -> list[dict[str, list]]:
+    """Read what is on the page, and the same drawn by Plotly in a place of its own."""
+    return page.get_by_test_id(name).evaluate(BOTH.replace("READ", read))
+
+
+def drag_by_hand(page: Page, server: str, address: str, name: str) -> Iterator[float]:
+    """Yield where a drag of μ/α is, at which the plot was not drawn by Plotly."""
+    visit(page, address)
+    settle(page, server)
+    rest(page)
+    page.evaluate(COUNT_DRAWINGS)
+    box = page.get_by_test_id("mu-over-alpha-slider").bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + 0.4 * box["width"], y)
+    page.mouse.down()
+    for share in (0.5, 0.55, 0.65, 0.6):
+        page.evaluate("window.drawings = {}")
+        page.mouse.move(box["x"] + share * box["width"], y, steps=3)
+        rest(page)
+        assert not page.evaluate("(name) => window.drawings[name]", name), share
+        yield share
+    page.mouse.up()
+    rest(page)
+    assert page.evaluate("(name) => window.drawings[name]", name)
+
+
+@pytest.mark.parametrize("quantity", ["epsilon_t", "switches"])
+@pytest.mark.parametrize("scale", every_day(["linear"], of=["linear", "log"]))
+def test_a_map_painted_while_dragging_is_that_which_plotly_paints(
+    used_tab: Page, server: str, quantity: str, scale: str
+):
+    painted = set()
+    for _ in drag_by_hand(used_tab, server, f"/?map={quantity}&scale={scale}", "map"):
+        by_hand, by_plotly = both(used_tab, "map", IMAGE)
+        assert by_hand["place"] == pytest.approx(by_plotly["place"], abs=PIXELS)
+        assert by_hand["size"] == by_plotly["size"] == [80, 60]
+        # halves are rounded up, or to the even one
+        assert np.abs(np.subtract(by_hand["pixels"], by_plotly["pixels"])).max() <= 1
+        painted.add(bytes(by_hand["pixels"]))
+    assert len(painted) == 4
+
+
+@pytest.mark.parametrize("options", ["cut_y=log", "scale=log", "cut_x=kappa"])
+def test_a_cut_moved_while_dragging_is_that_which_plotly_draws(
+    used_tab: Page, server: str, options: str
+):
+    seen = set()
+    for _ in drag_by_hand(used_tab, server, f"/?{options}", "cut"):
+        by_hand, by_plotly = both(used_tab, "cut", MARKS)
+        for kind in ("bars", "points", "numbers", "ticks"):
+            for moved, wanted in zip(by_hand[kind], by_plotly[kind], strict=True):
+                assert moved == pytest.approx(wanted, abs=PIXELS), kind
+        # Plotly has a path for each piece of a line
+        moved, wanted = ([*chain(*marks["lines"])] for marks in (by_hand, by_plotly))
+        assert moved == pytest.approx(wanted, abs=PIXELS)
+        seen.add(str(moved))
+    assert len(seen) == 4

@@ -101,7 +101,7 @@ export function mountAccuracy(page) {
       errorMap.showReason(say("errorMap.nowhere"));
     },
     onError: explain,
-    pause: MAP_PAUSE,
+    pause: () => MAP_PAUSE,
   });
   const overlays = createFollower({
     load: (/** @type {SteppedWish} */ { collision, accuracy }, signal) =>

@@ -67,9 +67,9 @@ export function mountMap(element, { onPlace, onOption }) {
   }
   onThemeChange(drawLegend);
 
-  function drawFlat() {
+  function drawFlat(quickly = false) {
     if (shown) {
-      plot.show({ ...shown, letters });
+      plot.show({ ...shown, letters }, quickly);
     }
   }
 
@@ -95,8 +95,9 @@ export function mountMap(element, { onPlace, onOption }) {
     /**
      * @param {import("../../figures/map-figure.js").ShownMap} map
      * @param {"flat" | "surface"} shape
+     * @param {boolean} quickly as one of many in a row
      */
-    show(map, shape) {
+    show(map, shape, quickly) {
       shown = map;
       element.dataset.shape = shape;
       if (shape === "surface") {
@@ -104,7 +105,7 @@ export function mountMap(element, { onPlace, onOption }) {
         surface.show(map);
       } else {
         surface.close();
-        drawFlat();
+        drawFlat(quickly);
       }
       drawLegend();
       crosshair.lieOn(map.view);

@@ -39,8 +39,11 @@ import {
  * @typedef {import("../../api/answers.js").Trace} Trace
  */
 
-/** At most so often a map or a cut is asked for, in ms: to draw a map takes longer than a frame. */
+/** At most so often the server is asked for a map or a cut, in ms. */
 const PAUSES = { map: 200, cut: 50 };
+
+/** The share of a hand's time that the kernel in the page may take for one of them. */
+const SHARE = 1 / 8;
 
 /** What changes the look of the map, but not what is asked for. @type {(keyof PageState)[]} */
 const MAP_LOOKS = ["map", "map_x", "alpha", "shape"];
@@ -74,7 +77,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
     isEnough: isEnoughMap,
     onAnswer(grid, wish) {
       shownMap = { grid, ...wish };
-      cut.colorUpTo(mostSwitches(grid));
+      cut.colorUpTo(mostSwitches(grid), isQuickMap(wish));
       if (isQuickMap(wish)) {
         // computed in one frame, drawn in another: a hand that drags waits for neither
         afterNextFrame(drawMap);
@@ -83,7 +86,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       }
     },
     onError: explain,
-    pause: PAUSES.map,
+    pause: (took) => (source.isNear(true) ? took / SHARE : PAUSES.map),
   });
 
   const cuts = createFollower({
@@ -96,7 +99,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       cut.point(present().collision);
     },
     onError: explainBy(cut.showRefusal),
-    pause: PAUSES.cut,
+    pause: (took) => (source.isNear(true) ? took / SHARE : PAUSES.cut),
   });
 
   const balls = createFollower({
@@ -117,6 +120,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       map.show(
         { ...shownMap, quantity, horizontal: horizontalAxis(shownMap.view, map_x, alpha) },
         shape,
+        isQuickMap(shownMap),
       );
     }
   }

@@ -133,7 +133,7 @@ export function mountSpheres({ client, present, set, preview, say: notify, expla
       announce("velocities", change);
     },
     onError: explainBy(velocities.showReason),
-    pause: PAUSE,
+    pause: () => PAUSE,
   });
   const cuts = createFollower({
     load: (/** @type {VelocityWish} */ { body }, signal) => client.velocityMap(body, signal),

@@ -11,7 +11,7 @@
  * @param {(answer: Answer, wish: Wish) => void} options.onAnswer
  * @param {(error: unknown, wish: Wish) => void} options.onError
  * @param {number} [options.patience] in ms
- * @param {number} [options.pause] in ms, the least between two starts
+ * @param {(took: number) => number} [options.pause] the least between two starts by what the first one took, in ms
  * @param {(wish: Wish) => boolean} [options.isUrgent] whether what is under way is given up for it, unless that is urgent, too
  */
 export function createLatest({
@@ -19,7 +19,7 @@ export function createLatest({
   onAnswer,
   onError,
   patience = 2000,
-  pause = 0,
+  pause = () => 0,
   isUrgent = () => false,
 }) {
   /** @type {{controller: AbortController, startedAt: number, isUrgent: boolean} | null} */
@@ -38,7 +38,6 @@ export function createLatest({
       isUrgent: isUrgent(wish),
     };
     underWay = mine;
-    earliest = mine.startedAt + pause;
     try {
       const answer = await load(wish, mine.controller.signal);
       if (underWay === mine) {
@@ -51,6 +50,7 @@ export function createLatest({
     } finally {
       if (underWay === mine) {
         underWay = null;
+        earliest = mine.startedAt + pause(performance.now() - mine.startedAt);
         startNext();
       }
     }

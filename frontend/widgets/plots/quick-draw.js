@@ -1,5 +1,6 @@
 // @ts-check
 
+import { heatPixels, heatPlace } from "../../figures/heat-image.js";
 import { barPlaces, differInMarksOnly, linePath, pixelScale } from "../../figures/pixels.js";
 import { write } from "../write.js";
 
@@ -36,7 +37,7 @@ export function quickDraw(element, drawn, shown, next) {
   }
   for (const [i, marks] of all.entries()) {
     if (isMoved || !isSame(shown.data[i], next.data[i])) {
-      (next.data[i].type === "bar" ? moveBars : moveScatter)(next.data[i], marks, scale);
+      MOVES[kindOf(next.data[i])](next.data[i], marks, scale);
     }
   }
   return true;
@@ -78,12 +79,31 @@ function isSame(shown, next) {
   return next.mode === "lines" && shown.x === next.x && shown.y === next.y;
 }
 
+/** @typedef {"bar" | "heatmap" | "scatter"} Kind */
+
+/** @param {Record<string, any>} trace @returns {Kind} */
+function kindOf({ type }) {
+  return type === "bar" || type === "heatmap" ? type : "scatter";
+}
+
 /**
  * @typedef {object} Marks
  * @property {Element[]} lines
  * @property {Element[]} points
  * @property {Element[]} texts
  */
+
+/** Where Plotly has the marks of a trace, from its group on. */
+const SELECTORS = {
+  bar: { traces: ".barlayer > .trace", points: "g.point", texts: "g.point > text" },
+  heatmap: { traces: ".heatmaplayer > .hm", points: "image" },
+  scatter: {
+    traces: ".scatterlayer > .trace",
+    lines: ".js-line",
+    points: "path.point",
+    texts: "g.textpoint",
+  },
+};
 
 /**
  * Plotly keeps one group for each trace, in their order, by layers of one type; none for one that was
@@ -92,19 +112,17 @@ function isSame(shown, next) {
  * @returns {(trace: Record<string, any>) => Marks}
  */
 function marksOf(element) {
-  const groups = {
-    bar: element.querySelectorAll(".barlayer > .trace"),
-    scatter: element.querySelectorAll(".scatterlayer > .trace"),
-  };
-  const taken = { bar: 0, scatter: 0 };
-  return ({ type, x }) => {
-    const kind = type === "bar" ? "bar" : "scatter";
-    const group = x.length > 0 ? groups[kind][taken[kind]] : undefined;
-    taken[kind] += x.length > 0 ? 1 : 0;
-    const all = (/** @type {string} */ selector) => [...(group?.querySelectorAll(selector) ?? [])];
-    return kind === "bar"
-      ? { lines: [], points: all("g.point"), texts: all("g.point > text") }
-      : { lines: all(".js-line"), points: all("path.point"), texts: all("g.textpoint") };
+  const taken = { bar: 0, heatmap: 0, scatter: 0 };
+  return (trace) => {
+    const kind = kindOf(trace);
+    /** @type {{traces: string, lines?: string, points: string, texts?: string}} */
+    const { traces, lines, points, texts } = SELECTORS[kind];
+    const isThere = kind === "heatmap" || trace.x.length > 0;
+    const group = isThere ? element.querySelectorAll(traces)[taken[kind]] : undefined;
+    taken[kind] += isThere ? 1 : 0;
+    const all = (/** @type {string | undefined} */ selector) =>
+      group && selector ? [...group.querySelectorAll(selector)] : [];
+    return { lines: all(lines), points: all(points), texts: all(texts) };
   };
 }
 
@@ -113,9 +131,14 @@ function marksOf(element) {
  * @param {Marks} marks
  * @param {Record<string, any>} trace
  */
-function isEnough({ lines, points, texts }, { mode, text, x }) {
+function isEnough({ lines, points, texts }, { type, mode, text, x, zsmooth }) {
+  if (type === "heatmap") {
+    // Without smoothing, a browser that cannot show the pixels of an image as squares is given larger ones.
+    const image = /** @type {SVGImageElement | undefined} */ (points[0]);
+    return image !== undefined && (zsmooth || image.style.imageRendering !== "");
+  }
   if (mode === "lines") {
-    return lines.length === 1;
+    return lines.length > 0;
   }
   return x.length === 0 || (points.length > 0 && (!text || texts.length > 0));
 }
@@ -170,7 +193,9 @@ function moveBars(trace, { points, texts }, scale) {
  */
 function moveScatter(trace, { lines, points, texts }, scale) {
   if (trace.mode === "lines") {
-    lines[0].setAttribute("d", linePath(/** @type {any} */ (trace), scale));
+    // Plotly has a path for each piece of a line; here one has all of them.
+    const [line] = made(lines, 1);
+    line.setAttribute("d", linePath(/** @type {any} */ (trace), scale));
     return;
   }
   for (const [i, point] of made(points, trace.x.length).entries()) {
@@ -183,3 +208,24 @@ function moveScatter(trace, { lines, points, texts }, scale) {
     write(text, trace.text[i]);
   }
 }
+
+/**
+ * @param {Record<string, any>} trace
+ * @param {Marks} marks
+ * @param {import("../../figures/pixels.js").PixelScale} scale
+ */
+function moveHeat(trace, { points: [image] }, scale) {
+  const map = /** @type {import("../../figures/heat-image.js").HeatMap} */ (trace);
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [map.z[0].length, map.z.length];
+  const pixels = new ImageData(heatPixels(map), canvas.width, canvas.height);
+  canvas.getContext("2d")?.putImageData(pixels, 0, 0);
+  // that of Plotly in its own namespace, for one without would outlive it
+  const address = [...image.attributes].find(({ localName }) => localName === "href");
+  /** @type {Attr} */ (address).value = canvas.toDataURL();
+  for (const [name, value] of Object.entries(heatPlace(map, scale))) {
+    image.setAttribute(name, String(value));
+  }
+}
+
+const MOVES = { bar: moveBars, heatmap: moveHeat, scatter: moveScatter };

@@ -131,11 +131,14 @@ export function mountCut(element, { onPlace, onOption }) {
       draw(false);
     },
 
-    /** The number of switches up to which the map has colours. @param {number} count */
-    colorUpTo(count) {
+    /**
+     * @param {number} count of switches, up to which the map has colours
+     * @param {boolean} dragging
+     */
+    colorUpTo(count, dragging) {
       if (count !== most) {
         most = count;
-        draw(false);
+        draw(dragging);
       }
     },
 

@@ -79,12 +79,12 @@ test("createLatest gives up what takes too long once there is a newer wish, and 
   assert.deepEqual(errors, []);
 });
 
-test("createLatest keeps its pause between two starts", async (context) => {
+test("createLatest keeps its pause between two starts, by what the first one took", async (context) => {
   context.after(() => mock.timers.reset());
   mock.timers.enable({ apis: ["setTimeout"] });
   let now = 1000;
   context.mock.method(performance, "now", () => now);
-  const { request } = createLatest({ ...options, pause: 80 });
+  const { request } = createLatest({ ...options, pause: (took) => 8 * took });
   request(1);
   now += 10;
   slow.calls[0].resolve("one");
