@@ -14,6 +14,7 @@ import { legible } from "./spread.js";
  * @property {import("../state/map-view.js").MapView} view
  * @property {import("../state/map-view.js").HorizontalAxis} horizontal
  * @property {"epsilon_t" | "switches"} quantity
+ * @property {number} [most] switches, up to which there are colours
  * @property {number} [muOverAlpha] of the collisions on it
  * @property {import("../state/presets.js").Letter[]} [letters] of Fig. 5, to be shown with the switches
  */
@@ -30,7 +31,7 @@ const LETTER_PIXELS = 15;
  * @returns {import("./plot-area.js").Figure}
  */
 export function mapFigure(map, theme, size) {
-  const { grid, view, horizontal, quantity } = map;
+  const { grid, view, horizontal, quantity, most = 0 } = map;
   return {
     data: [
       {
@@ -41,7 +42,7 @@ export function mapFigure(map, theme, size) {
         dx: 1 / (grid.kappa.length - 1),
         y0: 0,
         dy: 1 / (grid.gt_over_gn.length - 1),
-        ...mapColoring(grid, quantity, theme.dark),
+        ...mapColoring(quantity, most, theme.dark),
         showscale: false,
         // Counts have no values between them.
         zsmooth: quantity === "epsilon_t" ? "fast" : false,
@@ -132,10 +133,12 @@ function orMany(switches) {
 const MANY = 1000;
 
 /**
- * The most switches anywhere on a map.
+ * The most switches anywhere on a map, or as many as there were before it: counts keep their colours
+ * while a hand drags, though a coarse map misses some, and its counts change from step to step.
  * @param {Pick<import("../api/answers.js").MapGrid, "switches">} grid
+ * @param {number} [before]
  */
-export function mostSwitches({ switches }) {
+export function mostSwitches({ switches }, before = 0) {
   let most = 0;
   for (const row of switches) {
     for (const count of row) {
@@ -143,20 +146,21 @@ export function mostSwitches({ switches }) {
       most = count > most ? count : most;
     }
   }
-  return most;
+  // with damping all are odd, without it even
+  return Math.max(most, before - Math.abs((before - most) % 2));
 }
 
 /**
  * The colours of a quantity and the range they span.
- * @param {Pick<import("../api/answers.js").MapGrid, "switches">} grid
  * @param {"epsilon_t" | "switches"} quantity
+ * @param {number} most switches
  * @param {boolean} dark
  */
-export function mapColoring(grid, quantity, dark) {
+export function mapColoring(quantity, most, dark) {
   if (quantity === "epsilon_t") {
     return { zmin: -1, zmax: 1, colorscale: restitutionStops(dark) };
   }
-  const classes = switchClasses(mostSwitches(grid), dark);
+  const classes = switchClasses(most, dark);
   const zmin = classes[0].switches - 1;
   return { zmin, zmax: zmin + 2 * classes.length, colorscale: switchStops(classes) };
 }

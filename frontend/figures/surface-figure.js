@@ -27,6 +27,7 @@ const NO_MARGIN = { l: 0, r: 0, t: 0, b: 0 };
  * @property {{scale: "linear" | "log", vertical: keyof typeof PLOT_SYMBOLS, gtOverGn: import("../state/scales.js").Scale}} view
  * @property {{symbol: keyof typeof PLOT_SYMBOLS, alpha?: number, scale: import("../state/scales.js").Scale}} horizontal
  * @property {"epsilon_t" | "switches"} quantity
+ * @property {number} [most] switches, up to which there are colours
  * @property {Place | null} place
  */
 
@@ -37,10 +38,10 @@ const NO_MARGIN = { l: 0, r: 0, t: 0, b: 0 };
  * @param {import("./plot-area.js").Size} size
  * @returns {import("./plot-area.js").Figure}
  */
-export function surfaceFigure({ grid, view, horizontal, quantity, place }, theme, size) {
+export function surfaceFigure({ grid, view, horizontal, quantity, most = 0, place }, theme, size) {
   const columns = spread(grid.kappa.length, COLUMNS);
   const rows = spread(grid.gt_over_gn.length, ROWS);
-  const { zmin, zmax, colorscale } = mapColoring(grid, quantity, theme.dark);
+  const { zmin, zmax, colorscale } = mapColoring(quantity, most, theme.dark);
   return {
     data: [
       {

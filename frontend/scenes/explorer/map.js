@@ -1,6 +1,6 @@
 // @ts-check
 
-import { mapFigure, mostSwitches } from "../../figures/map-figure.js";
+import { mapFigure } from "../../figures/map-figure.js";
 import { alphaInWords, typable } from "../../format/number.js";
 import { say } from "../../format/words.js";
 import { impactName, placeOnMap } from "../../state/map-view.js";
@@ -62,7 +62,7 @@ export function mountMap(element, { onPlace, onOption }) {
 
   function drawLegend() {
     if (shown) {
-      legend.draw(shown.quantity, mostSwitches(shown.grid));
+      legend.draw(shown.quantity, shown.most ?? 0);
     }
   }
   onThemeChange(drawLegend);

@@ -63,7 +63,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
   const cut = mountCut(find(".cut-panel"), { onPlace: setCollision, onOption: set });
   /** @type {Trace | null} */
   let trace = null;
-  /** @type {import("../../api/queries.js").MapWish & {grid: import("../../api/answers.js").MapGrid} | null} */
+  /** @type {import("../../api/queries.js").MapWish & {grid: import("../../api/answers.js").MapGrid, most: number} | null} */
   let shownMap = null;
   /** @type {Parameters<typeof cut.show>[0] | null} */
   let shownCut = null;
@@ -76,9 +76,11 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
     isUrgent: (wish) => isQuickMap(wish) && source.isNear(true),
     isEnough: isEnoughMap,
     onAnswer(grid, wish) {
-      shownMap = { grid, ...wish };
-      cut.colorUpTo(mostSwitches(grid), isQuickMap(wish));
-      if (isQuickMap(wish)) {
+      const isQuick = isQuickMap(wish);
+      const most = mostSwitches(grid, isQuick ? shownMap?.most : 0);
+      shownMap = { grid, most, ...wish };
+      cut.colorUpTo(most, isQuick);
+      if (isQuick) {
         // computed in one frame, drawn in another: a hand that drags waits for neither
         afterNextFrame(drawMap);
       } else {

@@ -28,7 +28,7 @@ function viewOf(scale) {
 function figure(quantity, scale, symbol = "kappa", alpha = 2 / 7) {
   const view = viewOf(scale);
   const horizontal = horizontalAxis(view, symbol, alpha);
-  return mapFigure({ grid: GRID, view, horizontal, quantity }, THEME, SIZE);
+  return mapFigure({ grid: GRID, view, horizontal, quantity, most: 8 }, THEME, SIZE);
 }
 
 test("mapFigure shows the grid as it came, its first and last columns on the ends of the axis", () => {
@@ -91,6 +91,11 @@ test("mapFigure gives counts one colour for each pair of switches", () => {
   );
   assert.equal(new Set(colors).size, 5);
   assert.equal(mostSwitches(GRID), 8);
+  // one of a drag keeps those of the map before it, odd or even as its own are
+  assert.equal(mostSwitches(GRID, 12), 12);
+  assert.equal(mostSwitches(GRID, 13), 12);
+  assert.equal(mostSwitches(GRID, 6), 8);
+  assert.equal(mostSwitches(GRID, 9), 8);
 });
 
 test("switchClasses ends with one that says it holds more", () => {
