@@ -94,6 +94,7 @@ def test_the_pictures_stay_to_be_played_with_and_start_over_ends_it(page: Page, 
     page.goto("/?scene=lesson&step=3")
     page.get_by_test_id("predict-anyway").click()
     settle(page, server)
+    rest(page)
     start = collision_of(page)
     box = page.get_by_test_id("crosshair").bounding_box()
     page.mouse.click(box["x"] + 0.6 * box["width"], box["y"] + 0.7 * box["height"])
