@@ -63,6 +63,28 @@ def test_answers_and_modules_come_compressed_to_those_who_can(client):
         assert "content-encoding" not in bare.headers
 
 
+@pytest.mark.parametrize(
+    "path",
+    ["/", "/words/de", "/static/main.js", "/restitution.html", "/api/v1/map?mu_over_alpha=1.4"],
+)
+@pytest.mark.parametrize(
+    ("accepted", "kinds"),
+    [
+        ("br;q=0, gzip;q=0", {None}),
+        ("gzip;q=0.0, brotli, zebra", {None}),
+        ("gzip;Q=0.5, br; q=0.000", {"gzip", None}),
+        ("BR, gzip;q=0", {"br", None}),
+    ],
+)
+def test_nobody_gets_a_compression_that_was_refused(client, path, accepted, kinds):
+    answer = client.get(path, headers={"Accept-Encoding": accepted})
+    assert answer.status_code == 200
+    assert answer.headers.get("content-encoding") in kinds
+    # else a cache between would hand on what another client had
+    assert "accept-encoding" in answer.headers["vary"].lower()
+    assert answer.text
+
+
 def test_files_without_a_version_are_asked_for_again_and_found_unchanged(client):
     first = client.get("/static/main.js")
     assert first.headers["cache-control"] == "no-cache"

@@ -27,6 +27,7 @@ from restitution.api.page import (
     tagged,
     texts_of,
 )
+from restitution.api.transport import takes
 from restitution.studies.collision.presets import PRESETS
 from restitution.wire.formats import as_json
 
@@ -109,8 +110,7 @@ def add_one_file(app: FastAPI, directory: Path) -> None:
     @app.get(f"/{NAME}", include_in_schema=False)
     def page_as_one_file(request: Request) -> Response:
         found = bodies()
-        accepted = request.headers.get("accept-encoding", "")
-        encoding = next((name for name in found if name in accepted), "")
+        encoding = next((name for name in found if takes(request.headers, name)), "")
         body = found[encoding] if encoding else gzip.decompress(found["gzip"])
         headers = {
             "Content-Type": HTML,

@@ -16,7 +16,7 @@ from starlette.datastructures import Headers
 from starlette.staticfiles import NotModifiedResponse, StaticFiles
 from starlette.types import Scope
 
-from restitution.api.transport import known_tag
+from restitution.api.transport import known_tag, takes, weights_of
 from restitution.mechanics import cache
 from restitution.mechanics.compiled import CACHE_FOLDER
 
@@ -123,7 +123,7 @@ def _made(request: Request, text: str, headers: dict[str, str]) -> Response:
     """Answer with a text that is made of the page's files: asked for each time, compressed once."""
     headers["Cache-Control"] = "no-cache"
     body = text.encode()
-    if "br" in request.headers.get("accept-encoding", ""):
+    if takes(request.headers, "br"):
         body = _packed(text)
         headers["Content-Encoding"] = "br"
     return tagged(request, body, headers)
@@ -276,11 +276,8 @@ def _over(usual: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
 def _preferred(accepted: str) -> list[str]:
     """Return the languages of an Accept-Language header without their regions, best first."""
     weights = dict[str, float]()
-    for part in accepted.split(","):
-        tag, _, weight = part.partition(";")
-        value = re.fullmatch(r"\s*q=([01](?:\.\d{0,3})?)\s*", weight)
-        name = tag.strip().partition("-")[0].lower()
-        weights.setdefault(name, float(value[1]) if value else 1.0)
+    for tag, weight in weights_of(accepted).items():
+        weights.setdefault(tag.partition("-")[0], weight)
     return sorted(
         (name for name, weight in weights.items() if weight), key=lambda name: -weights[name]
     )
@@ -354,7 +351,7 @@ class _Files(StaticFiles):
         # a file may have changed since the page was asked for, or since it was compressed
         entry = _entry(full_path, stat_result)
         kept = entry in self._state and version == _version(self._state)
-        found = _compressed.get(entry) if "br" in headers.get("accept-encoding", "") else None
+        found = _compressed.get(entry) if takes(headers, "br") else None
         if found:
             told = {"ETag": found.tag, "Content-Encoding": "br"}
             response = Response(found.body, status_code, told, guess_type(full_path)[0])

@@ -1,11 +1,13 @@
 """What happens to every answer on its way out: compression, headers, HEAD."""
 
 import re
+from functools import lru_cache
+from types import MappingProxyType
 
 from fastapi import Response
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.middleware.cors import CORSMiddleware
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.middleware.gzip import GZipMiddleware, IdentityResponder
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
@@ -24,6 +26,22 @@ def known_tag(tag: str, header: str) -> str | None:
     return tag if names & {tag, "*"} else None
 
 
+@lru_cache(maxsize=64)
+def weights_of(header: str) -> MappingProxyType[str, float]:
+    """Return what a header of the Accept kind names, in lower case, with its weight of 0 … 1."""
+    weights = dict[str, float]()
+    for part in header.split(","):
+        name, _, weight = part.partition(";")
+        value = re.fullmatch(r"\s*q=([01](?:\.\d{0,3})?)\s*", weight, re.IGNORECASE)
+        weights.setdefault(name.strip().lower(), float(value[1]) if value else 1.0)
+    return MappingProxyType(weights)
+
+
+def takes(headers: Headers, encoding: str) -> bool:
+    """Return whether a client takes an answer that is compressed so."""
+    return weights_of(headers.get("accept-encoding", "")).get(encoding, 0.0) > 0.0
+
+
 HEADERS = {
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
@@ -34,6 +52,10 @@ HEADERS = {
 RAW_HEADERS = [(name.lower().encode(), value.encode()) for name, value in HEADERS.items()]
 
 
+LEAST_TEXT = 1000
+"""In bytes; what is shorter is not compressed."""
+
+
 class Compression:
     """Compress with gzip, at level 1 and where it pays.
 
@@ -42,7 +64,8 @@ class Compression:
     """
 
     def __init__(self, app: ASGIApp) -> None:
-        self._texts = GZipMiddleware(app, minimum_size=1000, compresslevel=1)
+        self._plain = app
+        self._texts = GZipMiddleware(app, minimum_size=LEAST_TEXT, compresslevel=1)
         self._arrays = GZipMiddleware(app, minimum_size=40_000, compresslevel=1)
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
@@ -56,7 +79,11 @@ class Compression:
             await send(message)
 
         arrays = b"encoding=base64" in scope.get("query_string", b"")
-        await (self._arrays if arrays else self._texts)(scope, receive, tagged)
+        app: ASGIApp = self._arrays if arrays else self._texts
+        if scope["type"] == "http" and not takes(Headers(scope=scope), "gzip"):
+            # the middleware looks whether gzip is named, be it with a weight of nothing
+            app = IdentityResponder(self._plain, LEAST_TEXT)
+        await app(scope, receive, tagged)
 
 
 class HeadersAndHead:
