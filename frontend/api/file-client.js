@@ -20,38 +20,28 @@ import { NeedsServer } from "./client.js";
  * A client that asks nobody: what was written into the file it reads, what is computed the kernel answers.
  * @param {Contents} contents
  * @param {import("../state/loading/source.js").Answers} answers
- * @param {string[]} methods by which these are
  * @returns {Client}
  */
-export function createFileClient(contents, answers, methods) {
+export function createFileClient(contents, answers) {
   const { texts, presets } = contents;
   const needed = async () => {
     throw new NeedsServer();
   };
-  const collision = certain(answers.collision);
 
   return {
-    collision,
+    collision: certain(answers.collision),
     isAnswering: async () => {},
     trace: certain(answers.trace),
     bounce: certain(answers.bounce),
     map: certain(answers.map),
     cut: certain(answers.cut),
 
-    async answer(asked, { method }, signal) {
-      if (!methods.includes(method)) {
-        return needed();
-      }
-      const found = await collision(asked, signal);
-      const { epsilon_t, error_bound, milliseconds } = found;
-      return { epsilon_t, method: found.method, error_bound, milliseconds };
-    },
-
     words: async (language) => texts[language].later,
     presets: async () => presets,
     kernel: () => kernelOf(contents),
     font: async (address) => blobOf(address),
 
+    answer: needed,
     stepped: needed,
     steps: needed,
     errorMap: needed,

@@ -1,7 +1,6 @@
 // @ts-check
 
 import { createFileClient, kernelOf } from "../../api/file-client.js";
-import { METHODS_BY_KERNEL } from "../../state/accuracy.js";
 import { serverAlone } from "../../state/loading/collision-load.js";
 import { find } from "../../widgets/find.js";
 import { afterNextFrame } from "../../widgets/painted.js";
@@ -27,7 +26,7 @@ const SERVED = ["spheres", "accuracy", "paper"];
 export async function openFile(contents, search) {
   const answers = await answersBy(kernelOf(contents));
   afterNextFrame(() => idle(runPlotly, { timeout: PAUSE }));
-  const client = createFileClient(contents, answers, METHODS_BY_KERNEL);
+  const client = createFileClient(contents, answers);
   return {
     words: wordsOfFile(contents, search),
     client,

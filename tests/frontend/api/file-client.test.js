@@ -3,7 +3,6 @@ import { test } from "node:test";
 
 import { createClient, NeedsServer } from "../../../frontend/api/client.js";
 import { createFileClient } from "../../../frontend/api/file-client.js";
-import { METHODS_BY_KERNEL } from "../../../frontend/state/accuracy.js";
 
 const COLLISION = { kappa: 63, mu_over_alpha: 1.4, gt_over_gn: 1.358, damping: 0 };
 const CONTENTS = {
@@ -21,7 +20,6 @@ function clientOf(answer) {
   return createFileClient(
     CONTENTS,
     Object.fromEntries(CALLS.map((call) => [call, async (asked) => answer(call, asked)])),
-    METHODS_BY_KERNEL,
   );
 }
 
@@ -48,28 +46,9 @@ test("what the kernel computes is answered, and what it leaves to a server needs
   }
 });
 
-test("ε_t alone is answered by the exact method, and by no other", async () => {
-  const client = clientOf(() => ({
-    epsilon_t: 0.01,
-    error_bound: 1e-15,
-    method: "exact",
-    milliseconds: null,
-    switches: 8,
-  }));
-  for (const method of METHODS_BY_KERNEL) {
-    assert.deepEqual(await client.answer(COLLISION, { method }), {
-      epsilon_t: 0.01,
-      error_bound: 1e-15,
-      method: "exact",
-      milliseconds: null,
-    });
-  }
-  await assert.rejects(client.answer(COLLISION, { method: "timestep", steps: "50" }), NeedsServer);
-});
-
 test("all else needs a server", async () => {
   const client = clientOf(() => null);
-  const here = ["answer", "isAnswering", "words", "presets", "font", "kernel"];
+  const here = ["isAnswering", "words", "presets", "font", "kernel"];
   for (const name of Object.keys(client).filter((each) => !here.includes(each))) {
     await assert.rejects(client[name](COLLISION), NeedsServer, name);
   }
