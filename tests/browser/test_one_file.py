@@ -86,6 +86,8 @@ def test_every_scene_that_it_offers_is_whole_and_silent(
         assert page.locator("main [data-say]:visible").count() == 0, name
         wide = page.evaluate("document.documentElement.scrollWidth - innerWidth")
         assert wide <= 0, name
+        # of the folder that one's own file is in nobody else learns
+        assert "file:" not in text, name
         if "result" in text or name != "hand-out":
             assert page.get_by_test_id("epsilon-t").text_content() not in {"–", ""}, name
         silence.assert_kept()

@@ -149,5 +149,7 @@ function blanks(names) {
  */
 function addressOf(step, language) {
   const query = new URLSearchParams({ scene: "lesson", step: String(step), lang: language });
-  return linkTo(`?${query}`);
+  const link = linkTo(`?${query}`);
+  // whoever has the file has it in another folder
+  return link.startsWith("file:") ? link.slice(link.lastIndexOf("/") + 1) : link;
 }
