@@ -36,6 +36,8 @@ export function mapFigure(map, theme, size) {
     data: [
       {
         name: quantity,
+        // an image of its own: one for both would stay in squares, or smooth
+        uid: quantity,
         type: "heatmap",
         z: quantity === "switches" ? grid.switches.map(orMany) : grid.epsilon_t,
         x0: 0,

@@ -114,6 +114,7 @@ IMAGE = """async (plot) => {
   context.drawImage(decoded, 0, 0);
   return {
     place: [x, y, width, height].map(({baseVal}) => baseVal.value),
+    rendering: style.imageRendering,
     size: [canvas.width, canvas.height],
     pixels: [...context.getImageData(0, 0, canvas.width, canvas.height).data],
   };
@@ -147,7 +148,8 @@ def drag_by_hand(page: Page, server: str, address: str, name: str) -> Iterator[f
     assert page.evaluate("(name) => window.drawings[name]", name)
 
 
-@pytest.mark.parametrize("quantity", ["epsilon_t", "switches"])
+# the smooth one after the one in squares, in the same place
+@pytest.mark.parametrize("quantity", ["switches", "epsilon_t"])
 @pytest.mark.parametrize("scale", every_day(["linear"], of=["linear", "log"]))
 def test_a_map_painted_while_dragging_is_that_which_plotly_paints(
     used_tab: Page, server: str, quantity: str, scale: str
@@ -156,6 +158,7 @@ def test_a_map_painted_while_dragging_is_that_which_plotly_paints(
     for _ in drag_by_hand(used_tab, server, f"/?map={quantity}&scale={scale}", "map"):
         by_hand, by_plotly = both(used_tab, "map", IMAGE)
         assert by_hand["place"] == pytest.approx(by_plotly["place"], abs=PIXELS)
+        assert by_hand["rendering"] == by_plotly["rendering"]
         assert by_hand["size"] == by_plotly["size"] == [80, 60]
         # halves are rounded up, or to the even one
         assert np.abs(np.subtract(by_hand["pixels"], by_plotly["pixels"])).max() <= 1
