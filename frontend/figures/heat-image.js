@@ -46,7 +46,7 @@ export function heatPixels({ z, zmin, zmax, colorscale }) {
 }
 
 /**
- * The image's place, in whole pixels. The middles of its outermost cells are its first and last values.
+ * The image's place; its size is in whole pixels, as Plotly's. The middles of its outermost cells are its first and last values.
  * @param {HeatMap} map
  * @param {import("./pixels.js").PixelScale} scale
  */

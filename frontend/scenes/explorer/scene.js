@@ -88,7 +88,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       }
     },
     onError: explain,
-    pause: (took) => (source.isNear(true) ? took / SHARE : PAUSES.map),
+    pause: (took, wish) => pauseAfter(took, isQuickMap(wish), PAUSES.map),
   });
 
   const cuts = createFollower({
@@ -101,7 +101,7 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       cut.point(present().collision);
     },
     onError: explainBy(cut.showRefusal),
-    pause: (took) => (source.isNear(true) ? took / SHARE : PAUSES.cut),
+    pause: (took, wish) => pauseAfter(took, isQuickCut(wish), PAUSES.cut),
   });
 
   const balls = createFollower({
@@ -115,6 +115,16 @@ export function mountExplorer({ source, present, set, setCollision, preview, exp
       explain(error);
     },
   });
+
+  /**
+   * The least from the start of a map or a cut to that of the next one.
+   * @param {number} took in ms, as what is returned
+   * @param {boolean} isQuick
+   * @param {number} ofServer
+   */
+  function pauseAfter(took, isQuick, ofServer) {
+    return isQuick && source.isNear(true) ? took / SHARE : ofServer;
+  }
 
   function drawMap() {
     if (shownMap) {

@@ -11,7 +11,8 @@
  * @param {(answer: Answer, wish: Wish) => void} options.onAnswer
  * @param {(error: unknown, wish: Wish) => void} options.onError
  * @param {number} [options.patience] in ms
- * @param {(took: number) => number} [options.pause] the least between two starts by what the first one took, in ms
+ * @param {(took: number, wish: Wish) => number} [options.pause] from the start of what is over to that of the next
+ *   at least, by what it took, in ms
  * @param {(wish: Wish) => boolean} [options.isUrgent] whether what is under way is given up for it, unless that is urgent, too
  */
 export function createLatest({
@@ -50,7 +51,7 @@ export function createLatest({
     } finally {
       if (underWay === mine) {
         underWay = null;
-        earliest = mine.startedAt + pause(performance.now() - mine.startedAt);
+        earliest = mine.startedAt + pause(performance.now() - mine.startedAt, wish);
         startNext();
       }
     }

@@ -220,7 +220,7 @@ function moveHeat(trace, { points: [image] }, scale) {
   [canvas.width, canvas.height] = [map.z[0].length, map.z.length];
   const pixels = new ImageData(heatPixels(map), canvas.width, canvas.height);
   canvas.getContext("2d")?.putImageData(pixels, 0, 0);
-  // that of Plotly in its own namespace, for one without would outlive it
+  // Plotly's own, in its namespace: another one would be shown in place of all that Plotly draws later
   const address = [...image.attributes].find(({ localName }) => localName === "href");
   /** @type {Attr} */ (address).value = canvas.toDataURL();
   for (const [name, value] of Object.entries(heatPlace(map, scale))) {

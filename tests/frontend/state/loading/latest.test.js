@@ -84,7 +84,7 @@ test("createLatest keeps its pause between two starts, by what the first one too
   mock.timers.enable({ apis: ["setTimeout"] });
   let now = 1000;
   context.mock.method(performance, "now", () => now);
-  const { request } = createLatest({ ...options, pause: (took) => 8 * took });
+  const { request } = createLatest({ ...options, pause: (took, wish) => 8 * took * wish });
   request(1);
   now += 10;
   slow.calls[0].resolve("one");
