@@ -28,8 +28,13 @@ export function createDeferredScene(id, isShown, load, page, onMounted) {
 
   async function open() {
     isComing = true;
+    const focused = document.activeElement;
     const mount = await letCome(id, () => bring(id, load, page));
     isComing = false;
+    // What is not to be seen loses the focus: the keyboard goes on where the shell had led it.
+    if (document.activeElement === document.body && focused instanceof HTMLElement) {
+      focused.focus({ preventScroll: true });
+    }
     if (!mount) {
       return;
     }

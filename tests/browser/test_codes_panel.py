@@ -55,6 +55,20 @@ def test_nothing_is_asked_for_codes_until_it_is_wanted(page: Page, server: str):
     assert [url for url in asked if url.endswith("/codes")]
 
 
+@pytest.mark.own_page
+def test_a_part_that_did_not_arrive_comes_when_the_server_answers(page: Page, server: str):
+    errors: list[str] = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.route("**/accuracy/codes.js", lambda route: route.abort())
+    page.goto("/?scene=accuracy&kappa=20")
+    settle(page, server)
+    unfold(page)
+    expect(page.get_by_test_id("banner")).to_be_visible()
+    page.unroute("**/accuracy/codes.js")
+    eventually(lambda: shows(page, inputs_for(page, server)), page)
+    assert errors == []
+
+
 @pytest.mark.verify
 def test_inputs_follow_the_collision(used_tab: Page, server: str):
     visit(used_tab, "/?scene=accuracy&kappa=20")

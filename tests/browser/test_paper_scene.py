@@ -257,13 +257,12 @@ def test_the_list_stands_in_a_frame_with_its_head(used_tab: Page):
 
 @pytest.mark.verify
 def test_the_keyboard_goes_on_in_the_scene_that_was_opened(tab: Page, server: str):
-    focused = "() => document.activeElement.id"
     tab.locator('[data-preset="figure-1"]').focus()
     tab.keyboard.press("Enter")
     expect(tab.get_by_test_id("figure-caption")).to_contain_text("Coulomb's law")
-    assert tab.evaluate(focused) == "impact-controls"
+    expect(tab.locator("#impact-controls")).to_be_focused()
     open_scene(tab)
     tab.locator('[data-statement="equation-7"] a').focus()
     tab.keyboard.press("Enter")
     settle(tab, server)
-    assert tab.evaluate(focused) == "controls"
+    expect(tab.locator("#controls")).to_be_focused()

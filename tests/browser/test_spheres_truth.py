@@ -190,6 +190,7 @@ def in_words(warning: str) -> tuple[str, list[float]]:
     """A warning without its numbers, and these: the page sets digits and symbols as print does."""
     plain = warning.replace("_", "").replace("\u202f%", " %")
     plain = re.sub(r"\u202f×\u202f10([⁻⁰-⁹²³¹]+)", lambda power: "e" + power[1], plain)
+    plain = re.sub(r"\b10([⁻⁰-⁹²³¹]+)", r"1e\1", plain)
     plain = re.sub(r"(?<=\d),(?=\d{3})", "", plain.translate(SUPERSCRIPTS))
     figure = r"\d[\d.]*(?:e-?\d+)?"
     return re.sub(figure, "#", plain), [float(each) for each in re.findall(figure, plain)]

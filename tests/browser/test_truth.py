@@ -1,9 +1,12 @@
 """Whatever collision is asked for, by whatever control, the page shows the API's plain answer."""
 
+import re
+
 import numpy as np
 import pytest
 from explorer import (
     PARAMETERS,
+    SUPERSCRIPTS,
     Witness,
     ask,
     collision_of,
@@ -171,9 +174,9 @@ def assert_traces(page: Page, server: str, witness: Witness, asked: dict[str, fl
 def assert_pictured(page: Page, answer: dict, tolerance: float = 0.0) -> None:
     """The numbers of both pictures are those of an answer, or so near to them."""
 
-    def is_among(column: list[float], name: str) -> bool:
+    def is_among(column: list[float] | np.ndarray, name: str) -> bool:
         curves = [curve["y"] for curve in trace_of(page, name)]
-        wanted = np.array(column)
+        wanted = np.asarray(column)
         return any(
             len(curve) == wanted.size
             and np.max(np.abs(np.array(curve, float) - wanted)) <= tolerance * np.max(wanted)
@@ -181,13 +184,23 @@ def assert_pictured(page: Page, answer: dict, tolerance: float = 0.0) -> None:
         )
 
     normal = answer["normal_force"]
-    assert is_among(answer["tangential_force_over_mu"], "force-trace")
+    tangential = np.array(answer["tangential_force_over_mu"])
+    assert is_among(enlargement(page) * tangential, "force-trace")
     assert is_among(normal + [-y for y in reversed(normal)], "force-trace") or is_among(
         normal, "force-trace"
     )
     assert is_among(answer["tangential_velocity"], "velocity")
     for name in ("force-trace", "velocity"):
         assert_drawn(page, name)
+
+
+def enlargement(page: Page) -> float:
+    """The factor by which a small tangential force is drawn larger, as it is written beside it."""
+    notes = page.get_by_test_id("force-trace").evaluate(
+        "plot => plot.data.find(({name}) => name === 'enlargement').text"
+    )
+    power = re.fullmatch(r".*×\s*10(\S+)", notes[0])
+    return float(f"1e{power[1].translate(SUPERSCRIPTS)}") if power else 1.0
 
 
 def assert_drawn(page: Page, name: str) -> None:
@@ -205,7 +218,7 @@ def assert_cell(page: Page, server: str, witness: Witness, asked: dict[str, floa
     query = witness.last("map")
     assert query is not None
     assert float(query["mu_over_alpha"]) == asked["mu_over_alpha"]
-    if page.get_by_test_id("crosshair").get_by_text("beyond these axes").is_visible():
+    if page.get_by_test_id("crosshair").locator(".beyond").is_visible():
         return
     handles = [
         page.get_by_test_id("map").element_handle(),

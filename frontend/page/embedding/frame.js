@@ -47,7 +47,8 @@ export function mountFrame({ present }) {
   // Who writes the frame asks, when it is there, how high it should be.
   addEventListener("message", async ({ data, source, ports: [port] }) => {
     if (source === parent && data === "restitution-size" && port) {
-      (await import("./size.js")).tellSize(port);
+      // without it the frame has the usual size
+      (await import("./size.js").catch(() => null))?.tellSize(port);
     }
   });
   parent.postMessage("restitution-frame", "*");

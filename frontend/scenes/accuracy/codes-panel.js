@@ -1,6 +1,7 @@
 // @ts-check
 
 import { textsOfMaterial } from "../../format/materials.js";
+import { say } from "../../format/words.js";
 import { createFollower, isSame } from "../../state/loading/follower.js";
 import { contactBody, materialOf, valuesOf } from "../../state/impact.js";
 import { PARAMETERS } from "../../state/parameters.js";
@@ -19,9 +20,9 @@ import { byTestId, find } from "../../widgets/find.js";
  * What DEM codes take for the present collision; it is folded, and nothing is asked or loaded for it until
  * it is unfolded.
  * @param {HTMLElement} element
- * @param {Pick<import("../scene.js").Page, "client" | "present" | "explain">} page
+ * @param {Pick<import("../scene.js").Page, "client" | "present" | "explain" | "reportLost">} page
  */
-export function mountCodesPanel(element, { client, present, explain }) {
+export function mountCodesPanel(element, { client, present, explain, reportLost }) {
   const details = /** @type {HTMLDetailsElement} */ (find("details", element));
   /** @type {Promise<Material[]> | null} */
   let materials = null;
@@ -41,11 +42,14 @@ export function mountCodesPanel(element, { client, present, explain }) {
   });
 
   async function draw() {
-    const { showCodes } = await import("./codes.js");
-    if (shown) {
+    const module = await import("./codes.js").catch(() => null);
+    if (!module) {
+      codes.forget();
+      reportLost(say("server.partMissing"));
+    } else if (shown) {
       const { answer, wish } = shown;
       const isOfIt = steps && isSame(collisionIn(steps.needed.parameters), collisionIn(wish.body));
-      showCodes(byTestId("codes-body", element), {
+      module.showCodes(byTestId("codes-body", element), {
         answer,
         bodies: textsOfMaterial(wish.material).name,
         steps: isOfIt ? steps : null,

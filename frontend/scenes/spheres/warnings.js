@@ -21,7 +21,9 @@ export function warningInWords({ code, text, values }) {
     return { text, language: "en" };
   }
   const digits = code === "oblique" ? ESTIMATES : DIGITS;
-  const said = Object.entries(values).map(([name, value]) => [name, inDigits(value, digits)]);
+  const { share, ...others } = values;
+  const inWords = share === undefined ? values : { ...others, percent: share && 100 * share };
+  const said = Object.entries(inWords).map(([name, value]) => [name, inDigits(value, digits)]);
   return { text: say(key, Object.fromEntries(said)), language: "" };
 }
 

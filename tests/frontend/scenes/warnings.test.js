@@ -13,6 +13,11 @@ test("warningInWords says a warning with its numbers, in the words of the page",
   assert.equal(language, "");
 });
 
+test("warningInWords says a share in percent, as the server does", () => {
+  const { text } = warningInWords({ code: "compression", text: "", values: { share: 0.059499 } });
+  assert.match(text, /^the bodies are compressed by 5\.95\s%/);
+});
+
 test("warningInWords says by what a turning normal would move, as the server has it", () => {
   const said = (values) =>
     warningInWords({ code: "oblique", text: "", values: { ...OBLIQUE, ...values } }).text;
