@@ -25,7 +25,11 @@ pytestmark = pytest.mark.browser
 
 WIRE_BYTES = 1_700_000
 
-KERNEL_BYTES = 40_000
+LATER_BYTES = {"kernel": 40_000, "moving by hand": 8_000}
+LATER_PARTS = {
+    "kernel": ("/kernel/",),
+    "moving by hand": ("/quick-draw.js", "/figures/pixels.js", "/figures/heat-image.js"),
+}
 
 # What the page may do without: it is asked for after the phenomenon, or answered late.
 WHAT_CAN_WAIT = ("map", "cut", "presets", "steps", "tradeoff", "materials", "paper")
@@ -170,15 +174,17 @@ def test_the_first_view_takes_few_bytes(cold_page: Page, server: str, face: str)
 
     eventually(is_compressed, page)
     received: dict[str, int] = {}
-    kernel: set[str] = set()
+    # that come after the first picture
+    parts: dict[str, set[str]] = {part: set() for part in LATER_PARTS}
     client = page.context.new_cdp_session(page)
     client.send("Network.enable")
-    client.on(
-        "Network.requestWillBeSent",
-        lambda event: (
-            kernel.add(event["requestId"]) if "/kernel/" in event["request"]["url"] else None
-        ),
-    )
+
+    def note(event: dict) -> None:
+        for part, addresses in LATER_PARTS.items():
+            if any(address in event["request"]["url"] for address in addresses):
+                parts[part].add(event["requestId"])
+
+    client.on("Network.requestWillBeSent", note)
     client.on(
         "Network.loadingFinished",
         lambda event: received.update({event["requestId"]: event["encodedDataLength"]}),
@@ -186,10 +192,11 @@ def test_the_first_view_takes_few_bytes(cold_page: Page, server: str, face: str)
     page.goto(f"/?face={face}")
     settle(page, server)
     rest(page)
-    later = sum(received.pop(each) for each in kernel)
+    later = {part: sum(map(received.pop, its)) for part, its in parts.items()}
     total = sum(received.values())
-    print(f"the kernel, after the first picture: {later / 1e3:.1f} kB")
-    assert 0 < later <= KERNEL_BYTES
+    for part, size in later.items():
+        print(f"{part}, after the first picture: {size / 1e3:.1f} kB")
+        assert 0 < size <= LATER_BYTES[part]
     print(f"first view, {face}: {total / 1e6:.3f} MB over the wire in {len(received)} answers")
     assert len(received) > 10
     assert total <= WIRE_BYTES

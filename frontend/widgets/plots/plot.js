@@ -2,7 +2,7 @@
 
 import { announceCanvasReading } from "./canvas-reading.js";
 import { noteRest } from "./overlay.js";
-import { quickDraw } from "./quick-draw.js";
+import { afterNextFrame } from "../painted.js";
 import { currentTheme, onPrinting, onThemeChange } from "../theme.js";
 
 /** A plot that is looked at; what is laid over it takes the pointer. */
@@ -26,6 +26,15 @@ const plotlyIsHere = new Promise((resolve) => {
     addEventListener("load", resolve, { once: true });
   }
 });
+
+/** How marks are moved, which nothing is before there is a picture. @type {typeof import("./quick-draw.js").quickDraw | null} */
+let quickDraw = null;
+
+/** Where it does not arrive, Plotly draws each step. */
+async function bringQuickDraw() {
+  const module = await import("./quick-draw.js").catch(() => null);
+  quickDraw = module && module.quickDraw;
+}
 
 /**
  * A Plotly element that follows its size and the colour scheme.
@@ -52,12 +61,15 @@ export function createPlot(element, makeFigure, { config = STILL, onPoint } = {}
     }
     const figure = makeFigure(shown.subject, currentTheme(), size);
     const isQuick =
-      quickly && there !== null && quickDraw(element, there.drawn, there.moved, figure);
+      quickly && there && quickDraw ? quickDraw(element, there.drawn, there.moved, figure) : false;
     if (isQuick) {
       // As after Plotly's own drawing, the element holds what it shows.
       Object.assign(element, { data: figure.data, layout: figure.layout });
     } else {
       Plotly.react(element, figure.data, figure.layout, { ...CONFIG, ...config });
+      if (!there) {
+        afterNextFrame(bringQuickDraw);
+      }
       if (onPoint && !there) {
         const plot = /** @type {any} */ (element);
         plot.on("plotly_click", (/** @type {any} */ event) => onPoint(event.points[0]?.customdata));
