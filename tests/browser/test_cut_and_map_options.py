@@ -39,6 +39,7 @@ def test_a_click_on_the_cut_moves_the_velocity_ratio_alone(used_tab: Page, serve
     # until then the cut is that of the page before
     rest(used_tab)
     before = collision_of(used_tab)
+    expect(used_tab.get_by_test_id("cut-mark")).to_have_attribute("data-placed", "")
     mark = used_tab.get_by_test_id("cut-mark")
     box = mark.bounding_box()
     mark.click(position={"x": 0.5 * box["width"], "y": 0.3 * box["height"]})

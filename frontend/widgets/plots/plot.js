@@ -33,7 +33,7 @@ let quickDraw = null;
 /** Where it does not arrive, Plotly draws each step. */
 async function bringQuickDraw() {
   const module = await import("./quick-draw.js").catch(() => null);
-  quickDraw = module && module.quickDraw;
+  quickDraw = module?.quickDraw ?? null;
 }
 
 /**

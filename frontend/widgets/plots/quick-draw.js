@@ -112,17 +112,19 @@ const SELECTORS = {
  * @returns {(trace: Record<string, any>) => Marks}
  */
 function marksOf(element) {
+  const all = (/** @type {Kind} */ kind) => element.querySelectorAll(SELECTORS[kind].traces);
+  const groups = { bar: all("bar"), heatmap: all("heatmap"), scatter: all("scatter") };
   const taken = { bar: 0, heatmap: 0, scatter: 0 };
   return (trace) => {
     const kind = kindOf(trace);
-    /** @type {{traces: string, lines?: string, points: string, texts?: string}} */
-    const { traces, lines, points, texts } = SELECTORS[kind];
+    /** @type {{lines?: string, points: string, texts?: string}} */
+    const { lines, points, texts } = SELECTORS[kind];
     const isThere = kind === "heatmap" || trace.x.length > 0;
-    const group = isThere ? element.querySelectorAll(traces)[taken[kind]] : undefined;
+    const group = isThere ? groups[kind][taken[kind]] : undefined;
     taken[kind] += isThere ? 1 : 0;
-    const all = (/** @type {string | undefined} */ selector) =>
+    const marks = (/** @type {string | undefined} */ selector) =>
       group && selector ? [...group.querySelectorAll(selector)] : [];
-    return { lines: all(lines), points: all(points), texts: all(texts) };
+    return { lines: marks(lines), points: marks(points), texts: marks(texts) };
   };
 }
 
